@@ -31,12 +31,16 @@
 //! | `verification` | attempts that anyone can simulate again |
 //! | `search` | the solutions of a scene, the map of all solutions, luck |
 //! | `web` | the wasm exports; wasm32 only |
+//!
+//! `nets`, `agents` and whatever proposes balls by them need the feature `nets`, which is on by default.
 
 #![warn(missing_docs, unreachable_pub)]
 
+#[cfg(feature = "nets")]
 pub mod agents;
 pub mod benchmark;
 pub mod colour;
+#[cfg(feature = "nets")]
 pub mod nets;
 pub mod puzzle;
 pub mod raster;

@@ -6,4 +6,5 @@ pub mod game;
 pub mod moments;
 pub mod puzzle;
 pub mod scene_check;
+#[cfg(feature = "nets")]
 pub mod turn;

@@ -8,7 +8,8 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use super::imagined_ball::{Hint, ImaginedPaths};
+use super::imagined_paths::{Hint, ImaginedPaths};
+use super::marks::NAME_HEIGHT;
 use super::paint::{LineStyle, Painter, bounding_radius};
 use super::recording::Recording;
 use crate::puzzle::action::Ball;
@@ -18,6 +19,9 @@ use crate::session::ending::touch_streak;
 
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;
+
+/// How far poses of a body are apart that lies elsewhere: x and y, px, and the angle, radians.
+const APART: [f32; 3] = [1.0, 1.0, 0.03];
 
 /// How long a spark is seen, steps.
 const SPARK_STEPS: f64 = 20.0;
@@ -155,11 +159,16 @@ pub(crate) fn paint(
     }
     bodies(true)?;
     for (index, recording) in recordings.iter().enumerate() {
+        if index > 0 && recording.of_model {
+            draw_moved_bodies(&painter, scene, recording, &recordings[0], view.step)?;
+        }
         draw_ball(&painter, scene, recording, view.step, index > 0)?;
     }
-    for (recording, name) in recordings.iter().zip(&view.names) {
+    for (index, (recording, name)) in recordings.iter().zip(&view.names).enumerate() {
         if let (Some(ball), Some([x, y, _])) = (recording.ball, recording.pose(view.step, scene.bodies.len())) {
-            painter.name(name, [x.into(), f64::from(y) + ball.r])?;
+            // Above the first ball and below the second, so that names of balls at one place are both read.
+            let away = if index == 0 { ball.r } else { -ball.r - NAME_HEIGHT };
+            painter.name(name, [x.into(), f64::from(y) + away])?;
         }
     }
     if let (Some(recording), Some(approach)) = (first, &view.approach) {
@@ -191,7 +200,7 @@ fn draw_ball(
     step: f64,
     outlined: bool,
 ) -> Result<(), JsValue> {
-    if outlined && let Some(pose) = recording.pose(step, scene.body1) {
+    if outlined && !recording.of_model && let Some(pose) = recording.pose(step, scene.body1) {
         painter.outline(&scene.bodies[scene.body1], pose, recording.line_style)?;
     }
     let (Some(ball), Some(pose)) = (recording.ball, recording.pose(step, scene.bodies.len())) else {
@@ -206,6 +215,24 @@ fn draw_ball(
     } else {
         painter.ball(Ball { x, y, ..ball }, angle, true)
     }
+}
+
+/// Draws the bodies that the model's rollout has moved elsewhere than the rollout under it, as ghosts.
+fn draw_moved_bodies(
+    painter: &Painter,
+    scene: &Scene,
+    of_model: &Recording,
+    under: &Recording,
+    step: f64,
+) -> Result<(), JsValue> {
+    for (index, body) in scene.bodies.iter().enumerate() {
+        if let (Some(pose), Some(below)) = (of_model.pose(step, index), under.pose(step, index))
+            && pose.iter().zip(below).zip(APART).any(|((one, other), apart)| (one - other).abs() > apart)
+        {
+            painter.ghost_body(body, pose)?;
+        }
+    }
+    Ok(())
 }
 
 /// Draws the outlines of object and goal where they came nearest, and the gap between them.

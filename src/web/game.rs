@@ -46,7 +46,7 @@ impl ListedAttempt {
 /// Why a ball on the page is invalid; the page has the words.
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
-enum InvalidBall {
+pub(super) enum InvalidBall {
     Radius,
     Outside,
     /// The index of a body of the scene.
@@ -56,7 +56,7 @@ enum InvalidBall {
 }
 
 impl InvalidBall {
-    fn of(why: Invalid) -> InvalidBall {
+    pub(super) fn of(why: Invalid) -> InvalidBall {
         match why {
             Invalid::Radius => InvalidBall::Radius,
             Invalid::Overlaps(body) => InvalidBall::Overlaps { body },
@@ -118,6 +118,7 @@ impl Game {
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
         let (number, rollout) = self.game.play(Author::Player, ball).map_err(|why| self.refusal(why))?;
+        let rollout = rollout.into();
         self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Solid, of_model: false }];
         to_js(&ListedAttempt::new(number, self.game.attempts(Author::Player)[number - 1]))
     }

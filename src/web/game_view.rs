@@ -10,7 +10,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use super::error::{from_js, to_js};
 use super::frame::{self, View};
 use super::game::{Game, ListedAttempt, attempt_number, author_named, no_attempt};
-use super::imagined_ball::paths_to_js;
+use super::imagined_paths::paths_to_js;
 use super::paint::LineStyle;
 use super::recording::Recording;
 use crate::puzzle::action::Ball;
@@ -24,7 +24,7 @@ use crate::simulator::{Contact, closest_approach, first_contact, simulate};
 impl Game {
     /// Shows the scene running without a ball.
     pub fn watch(&mut self) -> Result<(), JsValue> {
-        let rollout = simulate(&self.puzzle.scene, None).map_err(|why| self.refusal(why.into()))?;
+        let rollout = simulate(&self.puzzle.scene, None).map_err(|why| self.refusal(why.into()))?.into();
         self.recordings = vec![Recording { ball: None, rollout, line_style: LineStyle::Solid, of_model: false }];
         Ok(())
     }
@@ -74,6 +74,7 @@ impl Game {
         let ball = Ball { x, y, r };
         let rollout = simulate(&self.puzzle.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
+        let rollout = rollout.into();
         self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Dashed, of_model: true }];
         to_js(&ListedAttempt::new(0, attempt))
     }
@@ -135,7 +136,7 @@ impl Game {
             contact: Option<Contact>,
             deciding: Option<usize>,
         }
-        let quiet = quiet_stretches(self.recordings.iter().map(|recording| &recording.rollout));
+        let quiet = quiet_stretches(self.recordings.iter().map(|recording| &*recording.rollout));
         let (contact, deciding) = match self.recordings.as_slice() {
             [Recording { ball, rollout, .. }] => {
                 (ball.and_then(|ball| first_contact(&self.puzzle.scene, ball, rollout)), deciding_touch(rollout))
@@ -207,7 +208,7 @@ impl Game {
 
 impl Game {
     fn record_again(&self, who: Author, attempt: Attempt) -> Result<Recording, JsValue> {
-        let rollout = simulate(&self.puzzle.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
+        let rollout = simulate(&self.puzzle.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?.into();
         let of_model = who == Author::Model;
         let line_style = if of_model { LineStyle::Dashed } else { LineStyle::Solid };
         Ok(Recording { ball: Some(attempt.ball), rollout, line_style, of_model })

@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::*;
 
 use super::paint::{LineStyle, Painter};
 use crate::puzzle::action::Ball;
-use crate::puzzle::scene::{Role, SIZE};
+use crate::puzzle::rollout::Pose;
+use crate::puzzle::scene::{Body, Role, SIZE};
 
 /// Of a spark.
 const RAYS: u32 = 8;
@@ -15,8 +16,11 @@ const RAYS: u32 = 8;
 const MODEL_BAND: (f64, f64) = (6.0, 0.35);
 const MODEL_RIM: f64 = 3.0;
 
+/// Of a body that the model has moved, 0..=1.
+const GHOST_BODY_OPACITY: f64 = 0.3;
+
 /// px of the scene
-const NAME_HEIGHT: f64 = 9.0;
+pub(super) const NAME_HEIGHT: f64 = 9.0;
 
 impl Painter<'_> {
     /// Marks the ball of another attempt with a small ring; the selected one also with its rim and a line from the
@@ -65,6 +69,14 @@ impl Painter<'_> {
         Ok(())
     }
 
+    /// Draws a body where the model's rollout has moved it: pale, with a rim in the model's colour.
+    pub(crate) fn ghost_body(&self, body: &Body, pose: Pose) -> Result<(), JsValue> {
+        self.set_alpha(GHOST_BODY_OPACITY);
+        self.body(body, Some(pose), false)?;
+        self.set_alpha(1.0);
+        self.outline_in(self.palette.model, body, pose, LineStyle::Solid)
+    }
+
     /// Draws the gap between two points: a line with a dot at either end.
     pub(crate) fn gap(&self, points: [[f64; 2]; 2]) -> Result<(), JsValue> {
         let context = self.context;
@@ -83,14 +95,14 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Writes a name above a point, inside of the scene.
+    /// Writes a name at a point, inside of the scene.
     pub(crate) fn name(&self, name: &str, [x, y]: [f64; 2]) -> Result<(), JsValue> {
         let context = self.context;
         context.set_font(&format!("600 {}px system-ui, sans-serif", NAME_HEIGHT * self.scale));
         context.set_text_align("center");
         let half = context.measure_text(name)?.width() / 2.0 / self.scale;
         let x = x.clamp(half + 2.0, (SIZE - half - 2.0).max(half + 2.0));
-        let y = (y + NAME_HEIGHT / 3.0).min(SIZE - NAME_HEIGHT);
+        let y = (y + NAME_HEIGHT / 3.0).clamp(NAME_HEIGHT / 3.0, SIZE - NAME_HEIGHT);
         // The scene's y points up; text would stand on its head.
         context.set_transform(1.0, 0.0, 0.0, 1.0, x * self.scale, (SIZE - y) * self.scale)?;
         self.set_stroke(self.palette.paper, 3.0 * self.scale, LineStyle::Solid)?;

@@ -10,6 +10,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
 
+#[cfg(feature = "nets")]
 use crate::agents;
 use crate::benchmark::difficulty::Difficulty;
 use crate::colour::imagined_maps::{ImaginedMap, SOLID};
@@ -31,11 +32,16 @@ mod frame;
 mod game;
 mod game_view;
 mod heatmap;
+#[cfg(feature = "nets")]
 mod imagined_ball;
+mod imagined_paths;
 mod marks;
+#[cfg(feature = "nets")]
 mod memory;
 mod metrics;
+#[cfg(feature = "nets")]
 mod model;
+mod open_puzzle;
 mod paint;
 mod panic;
 mod puzzle_from_js;
@@ -48,9 +54,12 @@ mod verification;
 
 pub use custom_scene::{custom_scene, paint_edited_scene, scene_digest, scene_limits, scene_problems};
 pub use game::Game;
+#[cfg(feature = "nets")]
 pub use memory::Memory;
 pub use metrics::{auccess, fold, soft_iou};
+#[cfg(feature = "nets")]
 pub use model::{Model, Turn};
+pub use open_puzzle::OpenPuzzle;
 pub use panic::throw_panics;
 pub use scripting::{raster, scene, simulate, why_invalid};
 pub use solve_map::SolveMap;
@@ -77,6 +86,7 @@ pub fn constants() -> Result<JsValue, JsValue> {
         maps: [&'static str; ImaginedMap::ALL.len()],
         paper_maps: Vec<&'static str>,
         simulator_version: u32,
+        #[cfg(feature = "nets")]
         agents_version: u32,
         stick_lean: f64,
         half_stick: f64,
@@ -95,6 +105,7 @@ pub fn constants() -> Result<JsValue, JsValue> {
         maps: ImaginedMap::ALL.map(ImaginedMap::name),
         paper_maps: ImaginedMap::ALL.into_iter().filter(|map| map.of_paper()).map(ImaginedMap::name).collect(),
         simulator_version: simulator::VERSION,
+        #[cfg(feature = "nets")]
         agents_version: agents::VERSION,
         stick_lean: dimensions::STICK_LEAN,
         half_stick: dimensions::HALF_STICK,

@@ -98,11 +98,16 @@ impl<'a> Painter<'a> {
 
     /// Draws the outline of a body at a pose.
     pub(crate) fn outline(&self, body: &Body, pose: Pose, style: LineStyle) -> Result<(), JsValue> {
+        self.outline_in(self.palette.role(body.role), body, pose, style)
+    }
+
+    /// Draws the outline of a body at a pose in a colour.
+    pub(super) fn outline_in(&self, colour: &str, body: &Body, pose: Pose, style: LineStyle) -> Result<(), JsValue> {
         let [x, y, angle] = pose.map(f64::from);
         self.context.save();
         self.context.translate(x, y)?;
         self.context.rotate(angle)?;
-        self.set_stroke(self.palette.role(body.role), 1.4, style)?;
+        self.set_stroke(colour, 1.4, style)?;
         self.context.stroke_with_path(&body_path(body)?);
         self.context.restore();
         Ok(())

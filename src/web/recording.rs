@@ -1,6 +1,8 @@
 //! A rollout that is shown: its ball, and the interpolated pose of every body at any time. Used by `game`, `game_view`
 //! and `frame`; draws nothing itself.
 
+use std::rc::Rc;
+
 use js_sys::{Float32Array, Object, Reflect};
 use wasm_bindgen::JsValue;
 
@@ -14,7 +16,7 @@ use crate::raster::{Bitmap, path_image};
 pub(crate) struct Recording {
     /// `None` if the scene runs without a ball.
     pub ball: Option<Ball>,
-    pub rollout: Rollout,
+    pub rollout: Rc<Rollout>,
     /// Line style of its paths.
     pub line_style: LineStyle,
     /// Whether the ball is the model's.

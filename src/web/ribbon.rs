@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use wasm_bindgen::prelude::*;
 
-use super::imagined_ball::{Hint, ImaginedPaths};
+use super::imagined_paths::{Hint, ImaginedPaths};
 use super::paint::{LineStyle, Painter, bounding_radius};
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
 use crate::puzzle::scene::{Body, Scene};

@@ -219,6 +219,8 @@ export interface Palette {
 export interface About {
     /** Null for a custom scene. */
     id: string | null;
+    /** SHA-256 of a custom scene without its name; null for a task. */
+    digest?: string | null;
     /** What its maker calls it; null for a task, and for a scene without a name. */
     name: string | null;
     scene: Scene;
@@ -226,6 +228,26 @@ export interface About {
 
 /** Why a ball on the page is invalid; `body` is an index into the scene's bodies. */
 export type InvalidBall = { kind: "radius" | "outside" } | { kind: "overlaps"; body: number };
+
+/** One of the rollouts of a frame: the ball, null if the scene runs alone, and whose it is. */
+export interface ShownRollout {
+    ball: Ball | null;
+    of_model: boolean;
+}
+
+/** What a ball of an open puzzle leads to. */
+export interface RolloutFacts {
+    /** The attempt, as it is kept and saved. */
+    line: AttemptLine;
+    ending: Ending;
+    /** The last step at which anything changes. */
+    last: number;
+    nearest: ClosestApproach;
+    /** When and where the ball first touches the green object. */
+    contact: { step: number; point: [x: number, y: number] } | null;
+    /** Where object and ball really were after the steps of an `ImaginedBall`; null without a ball. */
+    paths: Pick<ImaginedBall, "object" | "ball"> | null;
+}
 
 /** How a rollout ended; lengths in steps. */
 export interface Ending {

@@ -1,0 +1,83 @@
+// Builds the page from www-next into target/page-next: node scripts/build-page.mjs [--watch] (needs www-next/pkg).
+//
+// With --watch it serves the page on PORT, builds it again when a file changes, and loads it again in the browser.
+
+import { cp, mkdir, rm } from "node:fs/promises";
+import { existsSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { context } from "esbuild";
+
+const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
+const SOURCES = join(ROOT, "www-next");
+const OUT = join(ROOT, "target", "page-next");
+/** What is served as it is, and where. */
+const COPIES = [
+  ["www-next/index.html", "index.html"],
+  ["www-next/style.css", "style.css"],
+  ["www-next/icon.svg", "icon.svg"],
+  ["www-next/pkg/page/pathlight_bg.wasm", "pkg/page/pathlight_bg.wasm"],
+  ["www-next/pkg/worker/pathlight_bg.wasm", "pkg/worker/pathlight_bg.wasm"],
+  ["www-next/pkg/worker/licences.txt", "licences.txt"],
+  ["assets", "assets"],
+];
+const RELOAD = 'new EventSource("/esbuild").addEventListener("change", () => location.reload());';
+
+/**
+ * What esbuild is told; the tests are bundled alike.
+ * @returns {import("esbuild").BuildOptions}
+ */
+export function bundling() {
+  return {
+    absWorkingDir: ROOT,
+    bundle: true,
+    format: "esm",
+    target: "es2022",
+    // lit is installed beside the tools.
+    nodePaths: [join(ROOT, "scripts", "node_modules")],
+    tsconfigRaw: {},
+    logLevel: "warning",
+  };
+}
+
+/** @param {boolean} isWatching */
+async function buildPage(isWatching) {
+  const missing = COPIES.map(([from]) => join(ROOT, from)).find((path) => !existsSync(path));
+  if (missing) throw new Error(`${missing} is missing: scripts/build-wasm builds it`);
+  await rm(OUT, { recursive: true, force: true });
+  await mkdir(OUT, { recursive: true });
+  for (const [from, to] of COPIES) await cp(join(ROOT, from), join(OUT, to), { recursive: true });
+  return context({
+    ...bundling(),
+    entryPoints: { main: join(SOURCES, "main.ts"), worker: join(SOURCES, "model/worker.ts") },
+    outdir: OUT,
+    chunkNames: "chunks/[name]-[hash]",
+    splitting: true,
+    minify: !isWatching,
+    sourcemap: isWatching && "inline",
+    banner: isWatching ? { js: `if (globalThis.document) ${RELOAD}` } : {},
+    plugins: isWatching ? [{ name: "copies", setup: (build) => build.onStart(() => copyAgain()) }] : [],
+  });
+}
+
+async function copyAgain() {
+  for (const [from, to] of COPIES.slice(0, 3)) await cp(join(ROOT, from), join(OUT, to));
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const isWatching = process.argv.includes("--watch");
+  try {
+    const build = await buildPage(isWatching);
+    await build.rebuild();
+    if (isWatching) {
+      await build.watch();
+      const { port } = await build.serve({ servedir: OUT, port: Number(process.env.PORT ?? 8080), host: "127.0.0.1" });
+      console.log(`http://127.0.0.1:${port}/`);
+    } else {
+      await build.dispose();
+    }
+  } catch (error) {
+    console.error(`error: ${/** @type {Error} */ (error).message}`);
+    process.exitCode = 2;
+  }
+}

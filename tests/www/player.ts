@@ -1,0 +1,67 @@
+// A puzzle without wasm, for the tests of the pure state: a ball at the right solves it; one at the left edge may not be
+// placed, and has room beside it.
+
+import { NOTHING_KEPT } from "../../www-next/core/change/kept.ts";
+import { answered } from "../../www-next/core/change/model.ts";
+import { place } from "../../www-next/core/change/placement.ts";
+import { START } from "../../www-next/core/change/route.ts";
+import { advance, again, drop } from "../../www-next/core/change/run.ts";
+import { start } from "../../www-next/core/state.ts";
+import { en } from "../../www-next/text/en/en.ts";
+import type { Puzzle } from "../../www-next/core/puzzle.ts";
+import type { State } from "../../www-next/core/state.ts";
+import type { AttemptLine, Ball, Body, RolloutFacts, TriedProposal } from "../../www-next/pkg/page/pathlight.js";
+
+export const SOLVING: Ball = [220, 100, 12];
+export const MISSING: Ball = [100, 100, 12];
+/** How long a rollout plays, steps. */
+export const LAST = 60;
+
+const BODY: Body = { x: 50, y: 50, angle: 0, dynamic: true, shape: "ball", role: "green", parts: [{ circle: 10 }] };
+
+const solves = ([x]: Ball) => x > 200;
+
+export function line(ball: Ball, task = "00000:000"): AttemptLine {
+  const status = solves(ball) ? "solved" : "not_solved";
+  return { task, ball, simulator: 1, status, steps: LAST, digest: "0".repeat(64) };
+}
+
+export function puzzle(task = "00000:000"): Puzzle {
+  const scene = { body1: 0, body2: 1, bodies: [BODY, { ...BODY, role: "purple" as const, dynamic: false }] };
+  const facts = (ball: Ball): RolloutFacts => ({
+    line: line(ball, task),
+    ending: { solved: solves(ball), steps: LAST, longest_touch: solves(ball) ? 180 : 30, final_touch: 0 },
+    last: LAST,
+    nearest: { step: 3, gap: 6, points: [[0, 0], [6, 0]] },
+    contact: null,
+    paths: { object: Float32Array.of(0, 0), ball: Float32Array.of(0, 0) },
+  });
+  return {
+    source: task,
+    key: task,
+    about: { id: task, name: null, scene },
+    scene,
+    whyInvalid: ([x]) => (x < 20 ? { kind: "outside" } : null),
+    nearestPlace: ([, y, r]) => [20, y, r],
+    rollout: (ball) => facts(ball ?? MISSING),
+  };
+}
+
+export const fresh: State = start(
+  { ...START, task: "00000:000" },
+  puzzle(),
+  NOTHING_KEPT,
+  { language: "en", theme: "light", stillness: false },
+  en,
+);
+
+/** The model's turn, as the worker answers: it tries these balls. */
+export function withTurn(state: State, ...balls: Ball[]): State {
+  const turn = balls.map((ball) => ({ ball, ending: { solved: solves(ball) } }) as TriedProposal);
+  return answered(state, state.puzzle.key, { turn });
+}
+
+export const dropAt = (state: State, ball: Ball) => drop(place(again(state), ball, null));
+
+/** Drops a ball and lets it play to its end. */
+export const playAt = (state: State, ball: Ball) => advance(dropAt(state, ball), 1e6);

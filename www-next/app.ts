@@ -1,0 +1,103 @@
+// Puts a puzzle together: the store with its effects, the scene, and one frame loop, in which time passes, the document
+// is rendered and the scene is painted.
+
+import { render } from "lit";
+import { startModel } from "./core/change/model.ts";
+import { advance } from "./core/change/run.ts";
+import { setDevice } from "./core/change/settings.ts";
+import { start } from "./core/state.ts";
+import { Store } from "./core/store.ts";
+import { languageEffect } from "./effects/language.ts";
+import { modelEffects } from "./effects/model.ts";
+import { listen } from "./stage/listen.ts";
+import { Stage } from "./stage/stage.ts";
+import { loadText } from "./text/text.ts";
+import { description } from "./view/news.ts";
+import { page } from "./view/page.ts";
+import type { Kept } from "./core/change/kept.ts";
+import type { Device } from "./core/change/settings.ts";
+import type { Link } from "./core/change/route.ts";
+import type { Puzzle } from "./core/puzzle.ts";
+import type { State } from "./core/state.ts";
+import type { Effect } from "./core/store.ts";
+import type { ModelFiles } from "./effects/model.ts";
+import type { App } from "./view/view.ts";
+
+export interface Given {
+  /** What is rendered into; what stands there goes. */
+  readonly root: HTMLElement | ShadowRoot;
+  /** Where keys are heard that are not the scene's alone. */
+  readonly keys: EventTarget;
+  readonly link: Link;
+  readonly puzzle: Puzzle;
+  readonly kept: Kept;
+  readonly files: ModelFiles;
+  /** Besides those of the model and the language. */
+  readonly effects: readonly Effect<State>[];
+}
+
+/** A tab that slept goes on where it was, ms. */
+const LONGEST_FRAME = 100;
+
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** Shows a puzzle until the signal is aborted. */
+export async function mount(given: Given, signal: AbortSignal): Promise<App> {
+  const { ball, ...route } = given.link;
+  const text = await loadText(given.kept.language ?? device().language);
+  const first = start({ ...route, task: given.puzzle.about.id }, given.puzzle, given.kept, device(), text, ball);
+  const store = new Store(first, [languageEffect, ...modelEffects(given.files), ...given.effects]);
+  const stage = new Stage(schedule);
+  const app = { store, canvas: stage.canvas };
+  const root = given.root as HTMLElement;
+  let frame = 0;
+  /** When the frame before was, while something plays. */
+  let before: number | null = null;
+
+  listen(stage, given.keys, store, signal);
+  for (const query of [dark, still])
+    query.addEventListener("change", () => store.change(setDevice, device()), { signal });
+  // A page that the browser kept goes on as if it had not been left, but for what was loading then.
+  addEventListener("pageshow", ({ persisted }) => persisted && store.change(startModel), { signal });
+  signal.addEventListener("abort", () => {
+    store.stop();
+    stage.stop();
+    cancelAnimationFrame(frame);
+  });
+  root.replaceChildren();
+  store.start(schedule);
+  draw(performance.now());
+  // What the person sees first does not wait for the model.
+  requestAnimationFrame(() => setTimeout(() => store.change(startModel)));
+  return app;
+
+  function schedule(): void {
+    frame ||= requestAnimationFrame((now) => {
+      frame = 0;
+      draw(now);
+    });
+  }
+
+  function draw(now: number): void {
+    if (signal.aborted) return;
+    const isPlaying = store.state.run?.playing;
+    // Each advance is a change, which asks for the next frame.
+    if (isPlaying) store.change(advance, Math.min(Math.max(now - (before ?? now), 0), LONGEST_FRAME));
+    before = isPlaying ? now : null;
+    // Without a step of time nothing has changed that would ask for the next frame.
+    if (store.state.run?.playing) schedule();
+    render(page(app), root);
+    stage.canvas.ariaLabel = description(store.state);
+    stage.canvas.classList.toggle("taken", store.state.placement.ball !== null);
+    stage.paint(store.state);
+  }
+}
+
+function device(): Device {
+  return {
+    language: navigator.language.startsWith("de") ? "de" : "en",
+    theme: dark.matches ? "dark" : "light",
+    stillness: still.matches,
+  };
+}

@@ -1,0 +1,124 @@
+// Placing the ball: by pointer, wheel, keys, fields and links, with undo and redo.
+
+import { sameBall } from "../puzzle.ts";
+import { MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../../pkg/constants.ts";
+import type { Ball } from "../../pkg/page/pathlight.js";
+import type { State } from "../state.ts";
+
+export type Point = readonly [x: number, y: number];
+
+export interface Placement {
+  readonly ball: Ball | null;
+  /** What undo goes back to, the latest last. */
+  readonly past: readonly (Ball | null)[];
+  /** What redo goes forward to, the next last. */
+  readonly future: readonly (Ball | null)[];
+  /** What moved the ball last. Moves of one gesture are undone together. */
+  readonly gesture: string | null;
+  readonly drag: Drag | null;
+}
+
+/** A ball held by a pointer: by its centre, at an offset from the pointer, or by the knob on its rim. */
+export interface Drag {
+  readonly pointer: number;
+  readonly grip: "centre" | "rim";
+  readonly dx: number;
+  readonly dy: number;
+  /** The state before, to which a pointer that the browser takes away goes back. */
+  readonly before: Pick<State, "placement" | "run">;
+}
+
+export const NO_BALL: Placement = { ball: null, past: [], future: [], gesture: null, drag: null };
+export const FIRST_RADIUS = 12;
+/** Where the first key press places the ball. */
+export const FIRST_BALL: Ball = [SCENE_SIZE / 2, SCENE_SIZE - 40, FIRST_RADIUS];
+
+const MOST_UNDONE = 200;
+
+/** Places the ball, rounded and within the scene; an invalid place is allowed, and said. */
+export function place(state: State, [x, y, r]: Ball, gesture: string | null): State {
+  const ball: Ball = [clamp(x, 0, SCENE_SIZE - 1), clamp(y, 0, SCENE_SIZE - 1), clamp(r, MIN_RADIUS, MAX_RADIUS)];
+  const { placement } = state;
+  if (sameBall(ball, placement.ball)) return state;
+  const isSame = gesture !== null && gesture === placement.gesture;
+  const past = isSame ? placement.past : [...placement.past, placement.ball].slice(-MOST_UNDONE);
+  return placing(state, { ball, past, future: [], gesture });
+}
+
+export function nudge(state: State, dx: number, dy: number, dr: number, gesture: string): State {
+  const { ball } = state.placement;
+  return place(state, ball ? [ball[0] + dx, ball[1] + dy, ball[2] + dr] : FIRST_BALL, gesture);
+}
+
+export function resize(state: State, r: number, gesture: string): State {
+  const [x, y] = state.placement.ball ?? FIRST_BALL;
+  return place(state, [x, y, r], gesture);
+}
+
+export function undo(state: State): State {
+  const { ball, past, future } = state.placement;
+  if (past.length === 0) return state;
+  return travel(state, { ball: past.at(-1)!, past: past.slice(0, -1), future: [...future, ball] });
+}
+
+export function redo(state: State): State {
+  const { ball, past, future } = state.placement;
+  if (future.length === 0) return state;
+  return travel(state, { ball: future.at(-1)!, past: [...past, ball], future: future.slice(0, -1) });
+}
+
+/** A pointer goes down: it grabs the knob or the ball within its reach (px), or places the ball and grabs that. */
+export function press(state: State, pointer: number, [x, y]: Point, reach: { knob: number; ball: number }): State {
+  const { ball, drag } = state.placement;
+  // The pointer that began owns the ball: a palm or a second finger changes nothing.
+  if (drag) return state;
+  const before = { placement: state.placement, run: state.run };
+  const toCentre = ball ? Math.hypot(x - ball[0], y - ball[1]) : Infinity;
+  const toKnob = ball ? Math.hypot(x - ball[0] - ball[2], y - ball[1]) : Infinity;
+  const held = (grip: Drag["grip"], dx: number, dy: number) => ({ drag: { pointer, grip, dx, dy, before } });
+  if (ball && toKnob < reach.knob && toKnob < toCentre) return placing(state, { ...held("rim", 0, 0), gesture: null });
+  if (ball && toCentre <= Math.max(ball[2], reach.ball))
+    return placing(state, { ...held("centre", ball[0] - x, ball[1] - y), gesture: null });
+  const placed = place(placing(state, { gesture: null }), [x, y, ball?.[2] ?? FIRST_RADIUS], gestureOf(pointer));
+  return placing(placed, held("centre", 0, 0));
+}
+
+export function drag(state: State, pointer: number, [x, y]: Point): State {
+  const { drag, ball } = state.placement;
+  if (drag?.pointer !== pointer || !ball) return state;
+  if (drag.grip === "centre") return place(state, [x + drag.dx, y + drag.dy, ball[2]], gestureOf(pointer));
+  return place(state, [ball[0], ball[1], Math.hypot(x - ball[0], y - ball[1])], gestureOf(pointer));
+}
+
+/** The pointer lets go. A ball that may not lie there goes to a free place nearby. */
+export function release(state: State, pointer: number): State {
+  const { drag, ball } = state.placement;
+  if (drag?.pointer !== pointer) return state;
+  const free = ball && state.puzzle.whyInvalid(ball) ? state.puzzle.nearestPlace(ball) : null;
+  const settled = free ? place(state, free, gestureOf(pointer)) : state;
+  return placing(settled, { drag: null, gesture: null });
+}
+
+/** The browser takes the pointer away, to scroll: nothing has happened. */
+export function cancel(state: State, pointer: number): State {
+  const { drag } = state.placement;
+  return drag?.pointer === pointer ? { ...state, ...drag.before } : state;
+}
+
+/** Whatever touches the ball ends what is played. */
+export function placing(state: State, change: Partial<Placement>): State {
+  return { ...state, run: null, placement: { ...state.placement, ...change } };
+}
+
+/** Whoever still drags lets go: the pointer would take the ball back at once. */
+function travel(state: State, change: Partial<Placement>): State {
+  return placing(state, { ...change, gesture: null, drag: null });
+}
+
+function gestureOf(pointer: number): string {
+  return `pointer ${pointer}`;
+}
+
+function clamp(value: number, least: number, most: number): number {
+  return Math.min(Math.max(Math.round(value), least), most);
+}

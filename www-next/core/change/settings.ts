@@ -1,0 +1,30 @@
+// The device and the language of the page, and what it says when something goes wrong.
+
+import type { Language, Theme } from "./kept.ts";
+import type { State } from "../state.ts";
+import type { Text } from "../../text/text.ts";
+
+export interface Device {
+  readonly language: Language;
+  readonly theme: Theme;
+  /** Motion is unwelcome. */
+  readonly stillness: boolean;
+}
+
+/** The text has the words. */
+export type Notice =
+  | { readonly kind: "no_task"; readonly task: string }
+  | { readonly kind: "unread_link"; readonly parts: readonly string[] }
+  | { readonly kind: "storage_full" };
+
+export function setDevice(state: State, device: Device): State {
+  return { ...state, device };
+}
+
+export function setText(state: State, text: Text): State {
+  return { ...state, text };
+}
+
+export function setNotice(state: State, notice: Notice | null): State {
+  return { ...state, notice };
+}

@@ -1,0 +1,126 @@
+// What follows from the attempts of player and model: the list, the verdict, and what the large button does next.
+
+import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
+import { guess } from "./placing.ts";
+import { ended, rollouts } from "./run.ts";
+import { sameBall } from "../puzzle.ts";
+import type { AttemptLine, Luck, RolloutFacts } from "../../pkg/page/pathlight.js";
+import type { State } from "../state.ts";
+
+/**
+ * How a round ended: `won` before the model; `draw` with the same number of balls; `late` after the model; `lost`, the
+ * model solved with this ball and the player did not; `behind`, it had before; `neither`; `solved` and `missed` alone.
+ */
+export type Outcome = "won" | "draw" | "late" | "lost" | "behind" | "neither" | "solved" | "missed";
+
+export interface Verdict {
+  readonly outcome: Outcome;
+  readonly round: number;
+  /** The number of the ball with which the model solved, if it has. */
+  readonly modelAt: number | null;
+  /** Of the player's ball. */
+  readonly facts: RolloutFacts;
+  /** The radius of the player's ball, px. */
+  readonly radius: number;
+  /** The chance that the model gave it, 0..1, and how far on average its guess was from the real path, px. */
+  readonly guessed: { readonly chance: number; readonly off: number } | null;
+  /** How many of the balls beside a solution solve too. */
+  readonly luck: Luck | null;
+}
+
+/** A row of the list. */
+export interface Round {
+  readonly number: number;
+  readonly player: AttemptLine;
+  /** Null if the model has not had its ball of this number, or had solved before. */
+  readonly model: { readonly solved: boolean } | null;
+}
+
+export type Step = "drop" | "pause" | "play" | "again" | "next";
+
+export function attempts({ kept, puzzle }: State): readonly AttemptLine[] {
+  return kept.attempts[puzzle.key] ?? [];
+}
+
+export function attemptLimitReached(state: State): boolean {
+  return attempts(state).length >= ATTEMPT_LIMIT;
+}
+
+/** The attempts of which the outcome may be told: not of one that plays for the first time. */
+export function toldAttempts(state: State): readonly AttemptLine[] {
+  const made = attempts(state);
+  return state.run?.fresh ? made.slice(0, (state.run.round ?? 1) - 1) : made;
+}
+
+/** The number of the player's first ball that solved, as far as it may be told. */
+export function playerSolvedAt(state: State): number | null {
+  return numberOf(toldAttempts(state).findIndex(({ status }) => status === "solved"));
+}
+
+/** The number of the model's ball that solved, within as many balls as the player has had. */
+export function modelSolvedAt(state: State): number | null {
+  if (state.kept.alone) return null;
+  const told = state.answers.turn.slice(0, toldAttempts(state).length);
+  return numberOf(told.findIndex(({ ending }) => ending.solved));
+}
+
+export function rounds(state: State): Round[] {
+  const { turn } = state.answers;
+  return toldAttempts(state).map((player, index) => {
+    const tried = state.kept.alone ? undefined : turn[index];
+    return { number: index + 1, player, model: tried ? { solved: tried.ending.solved } : null };
+  });
+}
+
+/** Null until the run has ended. */
+export function verdict(state: State): Verdict | null {
+  const { run } = state;
+  const [facts] = rollouts(state);
+  const ball = facts?.line.ball;
+  if (!run || run.round === null || !facts || !ball || run.balls[0]!.of_model || !ended(state)) return null;
+  const { round } = run;
+  const told = modelSolvedAt(state);
+  const modelAt = told !== null && told <= round ? told : null;
+  const imagined = guess(state)?.imagined;
+  const off = imagined && facts.paths ? meanDistance(imagined.object, facts.paths.object) : null;
+  return {
+    outcome: outcomeOf(state, round, facts.ending.solved, modelAt),
+    round,
+    modelAt,
+    facts,
+    radius: ball[2],
+    guessed: imagined && off !== null ? { chance: imagined.probability, off } : null,
+    luck: state.answers.luck && sameBall(state.answers.luck.of, ball) ? state.answers.luck.found : null,
+  };
+}
+
+function outcomeOf(state: State, round: number, solved: boolean, modelAt: number | null): Outcome {
+  const isDuel = !state.kept.alone && (modelAt !== null || state.answers.turn.length >= round);
+  if (!isDuel) return solved ? "solved" : "missed";
+  if (solved) return modelAt === null ? "won" : modelAt === round ? "draw" : "late";
+  return modelAt === null ? "neither" : modelAt === round ? "lost" : "behind";
+}
+
+/** Of the last attempts, none of which solved. */
+export function missesInARow(state: State): number {
+  const told = toldAttempts(state);
+  return told.length - 1 - told.findLastIndex(({ status }) => status === "solved");
+}
+
+/** What the large button does. */
+export function nextStep(state: State): Step {
+  if (!state.run) return "drop";
+  if (!ended(state)) return state.run.playing ? "pause" : "play";
+  return state.run.round !== null && playerSolvedAt(state) !== null ? "next" : "again";
+}
+
+function numberOf(index: number): number | null {
+  return index < 0 ? null : index + 1;
+}
+
+/** Of two paths x, y, x, y, … */
+function meanDistance(one: Float32Array, other: Float32Array): number {
+  let sum = 0;
+  for (let at = 0; at < one.length; at += 2) sum += Math.hypot(one[at]! - other[at]!, one[at + 1]! - other[at + 1]!);
+  return sum / (one.length / 2);
+}

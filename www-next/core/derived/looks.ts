@@ -1,0 +1,8 @@
+// How the page looks and speaks: as the person has chosen, or as the device has it.
+
+import type { Language, Theme } from "../change/kept.ts";
+import type { State } from "../state.ts";
+
+export const theme = ({ kept, device }: State): Theme => kept.theme ?? device.theme;
+export const isDark = (state: State): boolean => theme(state) === "dark";
+export const language = ({ kept, device }: State): Language => kept.language ?? device.language;

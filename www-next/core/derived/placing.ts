@@ -1,0 +1,33 @@
+// What follows from the ball being placed: whether it may lie there, and what the model imagines for it.
+
+import { sameBall } from "../puzzle.ts";
+import type { Ball, Body, InvalidBall } from "../../pkg/page/pathlight.js";
+import type { Answers } from "../change/model.ts";
+import type { State } from "../state.ts";
+
+export function fault({ puzzle, placement: { ball } }: State): InvalidBall | null {
+  return ball && puzzle.whyInvalid(ball);
+}
+
+/** The green object and its goal. */
+export function goal({ puzzle: { scene } }: State): [object: Body, target: Body] {
+  return [scene.bodies[scene.body1]!, scene.bodies[scene.body2]!];
+}
+
+/** The ball that the model is asked about: the one being placed, or the player's that runs. */
+export function questioned(state: State): Ball | null {
+  if (state.run) return state.run.balls.find(({ of_model }) => !of_model)?.ball ?? null;
+  return fault(state) ? null : state.placement.ball;
+}
+
+/** What the model imagines for that ball; while it is dragged, for where it was a moment ago. */
+export function guess(state: State): Answers["guess"] {
+  const asked = questioned(state);
+  const { guess } = state.answers;
+  return asked && guess && (state.placement.drag || sameBall(asked, guess.of)) ? guess : null;
+}
+
+/** The solutions of the radius that is asked for, as far as they are known. */
+export function solutions({ check, answers }: State): Answers["solutions"] {
+  return check && answers.solutions?.radius === check.radius ? answers.solutions : null;
+}

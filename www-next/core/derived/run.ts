@@ -1,0 +1,18 @@
+// What follows from the run that the scene plays.
+
+import type { RolloutFacts } from "../../pkg/page/pathlight.js";
+import type { State } from "../state.ts";
+
+/** What the balls that run lead to, the player's first. */
+export function rollouts({ puzzle, run }: State): RolloutFacts[] {
+  return (run?.balls ?? []).map(({ ball }) => puzzle.rollout(ball));
+}
+
+/** The last step at which anything changes in any of them. */
+export function lastStep(state: State): number {
+  return Math.max(0, ...rollouts(state).map(({ last }) => last));
+}
+
+export function ended(state: State): boolean {
+  return state.run !== null && state.run.step >= lastStep(state);
+}

@@ -1,0 +1,22 @@
+// An open puzzle as the core sees it: pure questions about balls. `simulator.ts` answers them by wasm, a test by a few
+// lines of its own.
+
+import type { About, Ball, InvalidBall, Puzzle as Source, RolloutFacts, Scene } from "../pkg/page/pathlight.js";
+
+export interface Puzzle {
+  /** The id of a task, or a custom scene: what the worker is asked about. */
+  readonly source: Source;
+  /** By which attempts are kept: the id of the task, or the digest of the custom scene. */
+  readonly key: string;
+  readonly about: About;
+  readonly scene: Scene;
+  whyInvalid(ball: Ball): InvalidBall | null;
+  /** The nearest ball of the same radius that may be placed, if one is not far away. */
+  nearestPlace(ball: Ball): Ball | null;
+  /** What a ball leads to; null: the scene alone. */
+  rollout(ball: Ball | null): RolloutFacts;
+}
+
+export function sameBall(one: Ball | null, other: Ball | null): boolean {
+  return one === other || Boolean(one && other && one.every((value, index) => value === other[index]));
+}

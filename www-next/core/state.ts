@@ -1,0 +1,63 @@
+// All that is known, as one value that is never changed in place. Each part is described in the file of change/ that
+// changes it. What follows from these parts is not stored, but computed in derived/.
+
+import { NO_ANSWERS, MODEL_OFF } from "./change/model.ts";
+import { NO_BALL, place } from "./change/placement.ts";
+import type { Check } from "./change/check.ts";
+import type { Kept } from "./change/kept.ts";
+import type { Answers, Model } from "./change/model.ts";
+import type { Placement } from "./change/placement.ts";
+import type { Route } from "./change/route.ts";
+import type { Run } from "./change/run.ts";
+import type { Device, Notice } from "./change/settings.ts";
+import type { Puzzle } from "./puzzle.ts";
+import type { Ball } from "../pkg/page/pathlight.js";
+import type { Text } from "../text/text.ts";
+
+export interface State {
+  /** What the address names: a puzzle, a panel, the maps over the scene. */
+  readonly route: Route;
+  readonly puzzle: Puzzle;
+  readonly placement: Placement;
+  /** What the scene plays; null while the ball is being placed. */
+  readonly run: Run | null;
+  readonly speed: number;
+  readonly model: Model;
+  /** What the worker has answered about this puzzle so far. */
+  readonly answers: Answers;
+  /** The search for all solutions of one radius; null while it is not shown. */
+  readonly check: Check | null;
+  /** What the browser keeps. */
+  readonly kept: Kept;
+  /** What the device asks for, unless the person has chosen otherwise. */
+  readonly device: Device;
+  /** A sentence for the person about something that went wrong. */
+  readonly notice: Notice | null;
+  /** The texts of the language. */
+  readonly text: Text;
+}
+
+export function start(
+  route: Route,
+  puzzle: Puzzle,
+  kept: Kept,
+  device: Device,
+  text: Text,
+  ball: Ball | null = null,
+): State {
+  const first = {
+    route,
+    puzzle,
+    placement: NO_BALL,
+    run: null,
+    speed: 1,
+    model: MODEL_OFF,
+    answers: NO_ANSWERS,
+    check: null,
+    kept,
+    device,
+    notice: null,
+    text,
+  };
+  return ball ? place(first, ball, null) : first;
+}

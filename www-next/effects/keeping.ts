@@ -1,0 +1,75 @@
+// What the browser keeps: one document in its storage, shared by all tabs. What cannot be read of it is left out.
+
+import { NOTHING_KEPT, mergeKept, merged } from "../core/change/kept.ts";
+import { setNotice } from "../core/change/settings.ts";
+import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
+import type { Kept } from "../core/change/kept.ts";
+import type { State } from "../core/state.ts";
+import type { Effect, Store } from "../core/store.ts";
+import type { AttemptLine } from "../pkg/page/pathlight.js";
+
+const KEY = "pathlight";
+
+/** Reads the kept document. A browser may refuse access to its storage. */
+export function readKept(): Kept {
+  try {
+    return keptFrom(JSON.parse(localStorage.getItem(KEY) ?? "null"));
+  } catch {
+    return NOTHING_KEPT;
+  }
+}
+
+/** Takes what it understands of a document of this version. */
+export function keptFrom(document: any): Kept {
+  if (document?.version !== NOTHING_KEPT.version) return NOTHING_KEPT;
+  const { attempts, guess, alone, language, theme } = document;
+  const lists = Object.entries(attempts ?? {}).map(([key, lines]) => [key, linesFrom(lines)] as const);
+  return {
+    version: NOTHING_KEPT.version,
+    attempts: Object.fromEntries(lists.filter(([, lines]) => lines.length > 0)),
+    guess: guess !== false,
+    alone: alone === true,
+    language: language === "de" || language === "en" ? language : null,
+    theme: theme === "light" || theme === "dark" ? theme : null,
+  };
+}
+
+function linesFrom(lines: any): AttemptLine[] {
+  const isLine = ({ ball, simulator, status, steps, digest }: any) =>
+    Array.isArray(ball) &&
+    ball.length === 3 &&
+    [...ball, simulator, steps].every(Number.isFinite) &&
+    (status === "solved" || status === "not_solved") &&
+    typeof digest === "string";
+  return Array.isArray(lines) ? lines.filter((line) => line && isLine(line)).slice(0, ATTEMPT_LIMIT) : [];
+}
+
+/** Keeps what has changed since the start, together with what other tabs have kept meanwhile. */
+export function keepingEffect(): Effect<State> {
+  let stored: Kept | null = null;
+  return {
+    needs: ({ kept }) => [kept],
+    run(store) {
+      const { kept } = store.state;
+      // What the page began with is stored already, and what could not be read of it stays until something is new.
+      if (stored !== null && kept !== stored) write(store, kept);
+      stored = kept;
+    },
+  };
+}
+
+function write(store: Store<State>, kept: Kept): void {
+  try {
+    const { attempts } = merged(readKept(), kept);
+    localStorage.setItem(KEY, JSON.stringify({ ...kept, attempts }));
+  } catch (error) {
+    console.warn(error);
+    store.change(setNotice, { kind: "storage_full" });
+  }
+}
+
+/** Follows what other tabs keep. */
+export function listenToOtherTabs(store: Store<State>, signal: AbortSignal): void {
+  const onStorage = ({ key }: StorageEvent) => key === KEY && store.change(mergeKept, readKept());
+  addEventListener("storage", onStorage, { signal });
+}

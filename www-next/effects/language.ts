@@ -1,0 +1,26 @@
+// The language and the looks of the page: its texts are loaded when they are needed.
+
+import { setText } from "../core/change/settings.ts";
+import { language, theme } from "../core/derived/looks.ts";
+import { loadText } from "../text/text.ts";
+import type { State } from "../core/state.ts";
+import type { Effect } from "../core/store.ts";
+
+export const languageEffect: Effect<State> = {
+  needs: (state) => [language(state)],
+  async run(store, signal) {
+    const text = await loadText(language(store.state));
+    if (!signal.aborted) store.change(setText, text);
+  },
+};
+
+/** Of the document, where the page is all of it. */
+export const documentEffect: Effect<State> = {
+  needs: (state) => [theme(state), state.text, state.puzzle],
+  run({ state }) {
+    const { documentElement: root } = document;
+    root.dataset.theme = theme(state);
+    root.lang = state.text.language;
+    document.title = `${state.text.puzzle.name(state.puzzle.about)} · Pathlight`;
+  },
+};

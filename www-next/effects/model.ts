@@ -1,0 +1,114 @@
+// What the worker is asked, as effects: each says on what its question depends.
+
+import { answered, setModel } from "../core/change/model.ts";
+import { attempts, verdict } from "../core/derived/duel.ts";
+import { questioned } from "../core/derived/placing.ts";
+import { ModelClient, WorkerError } from "../model/client.ts";
+import models from "../../assets/model.json";
+import type { Failure } from "../core/change/model.ts";
+import type { State } from "../core/state.ts";
+import type { Effect, Store } from "../core/store.ts";
+
+/** Where the files lie that the worker loads. */
+export interface ModelFiles {
+  readonly worker: string;
+  readonly wasm: string;
+  readonly assets: string;
+}
+
+export function modelEffects(files: ModelFiles): Effect<State>[] {
+  let crashed: (failure: Failure) => void = () => {};
+  const client = new ModelClient(
+    () => new Worker(files.worker, { type: "module" }),
+    (failure) => crashed(failure),
+  );
+  const { name, file, size, sha256 } = models.models[0]!;
+  const weights = { url: new URL(file, files.assets).href, size, sha256 };
+  // Searches need a worker, but no weights.
+  const ifAlive = ({ model }: State, ...needs: unknown[]) =>
+    model.kind === "off" || (model.kind === "failed" && model.failure.code === "crashed") ? null : needs;
+  const ifReady = ({ model }: State, ...needs: unknown[]) => (model.kind === "ready" ? needs : null);
+
+  const loading: Effect<State> = {
+    // Neither its progress nor its end begins it anew.
+    needs: ({ model }) => (model.kind === "loading" ? [] : null),
+    async run(store) {
+      const fail = (failure: Failure) => store.change(setModel, { kind: "failed", failure });
+      crashed = fail;
+      client.start();
+      const onUpdate = (arrived: number) => store.change(setModel, { kind: "loading", arrived });
+      try {
+        const card = await client.call("load", [files.wasm, weights], new AbortController().signal, onUpdate);
+        store.change(setModel, { kind: "ready", name, card });
+      } catch (error) {
+        if (store.state.model.kind === "loading") fail((error as WorkerError).failure);
+      }
+    },
+  };
+
+  // One ball more than has been played, so that the next drop need not wait.
+  const turn: Effect<State> = {
+    needs: (state) => (state.kept.alone ? null : ifReady(state, state.puzzle, attempts(state).length)),
+    run: (store, signal) =>
+      ask(store, async ({ source }) => ({
+        turn: await client.call("turn", [source, attempts(store.state).length + 1], signal),
+      })),
+  };
+
+  // Answered even if the ball has moved on meanwhile: otherwise there would be no guess before a drag ends.
+  const guess: Effect<State> = {
+    needs: (state) => {
+      const ball = questioned(state);
+      return ball && state.kept.guess ? ifReady(state, state.puzzle, ...ball) : null;
+    },
+    run: (store) =>
+      ask(store, async ({ source }) => {
+        const of = questioned(store.state)!;
+        const imagined = await client.call("imagineBall", [source, of], new AbortController().signal);
+        return { guess: imagined && { of, imagined } };
+      }),
+  };
+
+  const maps: Effect<State> = {
+    needs: (state) => ifReady(state, state.puzzle),
+    run: (store, signal) => ask(store, ({ source }) => client.call("imagine", [source], signal)),
+  };
+
+  const solutions: Effect<State> = {
+    needs: (state) => (state.check ? ifAlive(state, state.puzzle, state.check.radius) : null),
+    run: (store, signal) =>
+      ask(store, async ({ key, source }) => {
+        const onUpdate = (found: State["answers"]["solutions"]) => store.change(answered, key, { solutions: found });
+        await client.call("solutions", [source, store.state.check!.radius], signal, onUpdate);
+        return {};
+      }),
+  };
+
+  const luck: Effect<State> = {
+    needs: (state) => {
+      const told = verdict(state);
+      return told?.facts.ending.solved ? ifAlive(state, state.puzzle, told.facts.line.ball) : null;
+    },
+    run: (store, signal) =>
+      ask(store, async ({ source }) => {
+        const of = verdict(store.state)!.facts.line.ball!;
+        return { luck: { of, found: await client.call("luck", [source, of], signal) } };
+      }),
+  };
+
+  return [loading, turn, guess, maps, luck, solutions];
+}
+
+/** Keeps an answer about the open puzzle. A crash has been told already. */
+async function ask(
+  store: Store<State>,
+  question: (puzzle: State["puzzle"]) => Promise<Partial<State["answers"]>>,
+): Promise<void> {
+  const { puzzle } = store.state;
+  try {
+    store.change(answered, puzzle.key, await question(puzzle));
+  } catch (error) {
+    if (error instanceof WorkerError && error.failure.code !== "broken") return;
+    throw error;
+  }
+}

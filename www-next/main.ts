@@ -1,0 +1,52 @@
+// The page: opens what the address names, and keeps what is played.
+
+import { follow } from "./actions.ts";
+import { mount } from "./app.ts";
+import { setNotice } from "./core/change/settings.ts";
+import { nextTask } from "./core/derived/next.ts";
+import { addressEffect, readAddress } from "./effects/address.ts";
+import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
+import { documentEffect } from "./effects/language.ts";
+import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
+import type { Puzzle } from "./core/puzzle.ts";
+
+const address = (path: string) => new URL(path, document.baseURI).href;
+const files = {
+  worker: address("worker.js"),
+  wasm: address("pkg/worker/pathlight_bg.wasm"),
+  assets: address("assets/"),
+};
+
+async function run(root: HTMLElement): Promise<void> {
+  const forever = new AbortController().signal;
+  await loadSimulator(WebAssembly.compileStreaming(fetch(address("pkg/page/pathlight_bg.wasm"))));
+  const kept = readKept();
+  const { link, unread } = readAddress(location.hash);
+  const named = link.task === null ? null : existing(link.task);
+  const puzzle = named ?? openPuzzle(nextTask(benchmark(), null, (task) => task in kept.attempts));
+  const given = { root, keys: document, link, puzzle, kept, files };
+  const effects = [addressEffect, documentEffect, keepingEffect()];
+  const { store } = await mount({ ...given, effects }, forever);
+  listenToOtherTabs(store, forever);
+  if (link.task !== null && !named) store.change(setNotice, { kind: "no_task", task: link.task });
+  else if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });
+  addEventListener("hashchange", () => {
+    const { link, unread } = readAddress(location.hash);
+    follow(store, link);
+    if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });
+  });
+}
+
+function existing(task: string): Puzzle | null {
+  try {
+    return openPuzzle(task);
+  } catch {
+    return null;
+  }
+}
+
+const root = document.getElementById("page")!;
+run(root).catch((error) => {
+  reportError(error);
+  document.getElementById("trouble")!.hidden = false;
+});

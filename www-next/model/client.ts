@@ -1,0 +1,97 @@
+// The page's side of the worker: each call is a promise. Once its signal is aborted it rejects with the signal's reason
+// and no update arrives any more, however late the worker answers.
+
+import type { Failure } from "../core/change/model.ts";
+import type { Calls } from "./worker.ts";
+
+type Answer<Name extends keyof Calls> =
+  ReturnType<Calls[Name]> extends Generator<infer Update, infer Value> | AsyncGenerator<infer Update, infer Value>
+    ? { update: Update; value: Value }
+    : { update: never; value: Awaited<ReturnType<Calls[Name]>> };
+
+interface Pending {
+  resolve(value: any): void;
+  reject(reason: unknown): void;
+  onUpdate(update: any): void;
+}
+
+/** Rejected calls have a `failure`, unless they were aborted. */
+export class WorkerError extends Error {
+  readonly failure: Failure;
+
+  constructor(failure: Failure) {
+    super(failure.reason);
+    this.failure = failure;
+  }
+}
+
+export class ModelClient {
+  #worker: Worker | null = null;
+  #pending = new Map<number, Pending>();
+  #lastId = 0;
+  #onCrash: (failure: Failure) => void;
+  #create: () => Worker;
+
+  constructor(create: () => Worker, onCrash: (failure: Failure) => void) {
+    this.#create = create;
+    this.#onCrash = onCrash;
+  }
+
+  /** Starts a new worker in place of the present one, whose open calls reject. */
+  start(): void {
+    this.stop({ code: "broken", reason: "The worker was started again." });
+    const worker = (this.#worker = this.#create());
+    worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
+    worker.addEventListener("error", (event) => {
+      event.preventDefault();
+      // Without a message its code could not even be loaded.
+      const code = event.message ? "crashed" : navigator.onLine ? "missing" : "offline";
+      if (worker === this.#worker) this.#crash({ code, reason: event.message || "The worker could not be loaded." });
+    });
+  }
+
+  stop(failure: Failure): void {
+    this.#worker?.terminate();
+    this.#worker = null;
+    const pending = [...this.#pending.values()];
+    this.#pending.clear();
+    for (const { reject } of pending) reject(new WorkerError(failure));
+  }
+
+  call<Name extends keyof Calls>(
+    call: Name,
+    args: Parameters<Calls[Name]>,
+    signal: AbortSignal,
+    onUpdate: (update: NonNullable<Answer<Name>["update"]>) => void = () => {},
+  ): Promise<Answer<Name>["value"]> {
+    if (signal.aborted) return Promise.reject(signal.reason);
+    const worker = this.#worker;
+    if (!worker) return Promise.reject(new WorkerError({ code: "broken", reason: "There is no worker." }));
+    const id = ++this.#lastId;
+    const { promise, resolve, reject } = Promise.withResolvers<Answer<Name>["value"]>();
+    const onAbort = () => {
+      if (!this.#pending.delete(id)) return;
+      worker.postMessage({ cancel: id });
+      reject(signal.reason);
+    };
+    this.#pending.set(id, { resolve, reject, onUpdate });
+    signal.addEventListener("abort", onAbort);
+    worker.postMessage({ id, call, args });
+    return promise.finally(() => signal.removeEventListener("abort", onAbort));
+  }
+
+  #onMessage({ id, value, update, failure }: { id: number; value?: any; update?: any; failure?: Failure }): void {
+    if (failure?.code === "crashed") return this.#crash(failure);
+    const call = this.#pending.get(id);
+    if (!call) return;
+    if (update !== undefined) return call.onUpdate(update);
+    this.#pending.delete(id);
+    if (failure) call.reject(new WorkerError(failure));
+    else call.resolve(value);
+  }
+
+  #crash(failure: Failure): void {
+    this.stop(failure);
+    this.#onCrash(failure);
+  }
+}

@@ -1,0 +1,151 @@
+// The nets and searches, off the page's thread. `calls` declares each call once; the client takes its name, arguments,
+// updates and answer from here.
+//
+// The page sends { id, call, args }, and the worker answers with any number of { id, update }, then with one
+// { id, value } or { id, failure }. { cancel: id } ends a call that still runs: nobody waits for its answer.
+
+import init, { Model, SolveMap, luck } from "../pkg/worker/pathlight.js";
+import type { Failure } from "../core/change/model.ts";
+import type { Ball, Puzzle, TriedProposal, Turn } from "../pkg/worker/pathlight.js";
+
+export type Calls = typeof calls;
+
+export interface Weights {
+  readonly url: string;
+  readonly size: number;
+  readonly sha256: string;
+}
+
+/** How long a search runs before it sends what it has found and lets messages in, ms. */
+const SLICE = 100;
+
+let model: Model;
+/** The turn that was played last goes on where it was. */
+let turn: { key: string; handle: Turn; tried: TriedProposal[]; over: boolean } | null = null;
+let started: Promise<unknown> | null = null;
+
+/** A long call is a generator: each value that it yields is an update, then messages are let in. */
+const calls = {
+  /** Loads the weights, and returns how they were trained. Updates: the fraction that has arrived, 0..1. */
+  async *load(wasm: string, weights: Weights) {
+    started = init({ module_or_path: fetched(wasm) });
+    const response = await fetched(weights.url);
+    const bytes = new Uint8Array(weights.size);
+    let arrived = 0;
+    for await (const chunk of response.body!) {
+      if (arrived + chunk.length > weights.size) throw failed("damaged", `${weights.url} is too long`);
+      bytes.set(chunk, arrived);
+      arrived += chunk.length;
+      yield arrived / weights.size;
+    }
+    // A page that came neither by HTTPS nor from this machine has no hashes; the wasm still checks the file's form.
+    const hash = crypto.subtle ? hex(await crypto.subtle.digest("SHA-256", bytes)) : weights.sha256;
+    if (arrived !== weights.size || hash !== weights.sha256) throw failed("damaged", `${weights.url} has other bytes`);
+    await started;
+    model = new Model(bytes, weights.sha256);
+    return model.card();
+  },
+
+  /** What the nets imagine of a puzzle, and whether they were trained on it. */
+  imagine: (puzzle: Puzzle) => ({ maps: model.imagine(puzzle), practised: model.hasSeen(puzzle) }),
+
+  imagineBall: (puzzle: Puzzle, ball: Ball) => model.imagineBall(puzzle, ball) ?? null,
+
+  /** The first balls of the model's turn, each tried only once it is asked for. */
+  *turn(puzzle: Puzzle, count: number) {
+    const key = JSON.stringify(puzzle);
+    if (turn?.key !== key) {
+      turn?.handle.free();
+      turn = { key, handle: model.turn(puzzle, 0), tried: [], over: false };
+    }
+    const mine = turn;
+    while (turn === mine && !mine.over && mine.tried.length < count) {
+      const next = mine.handle.attempt();
+      if (next) mine.tried.push(next);
+      mine.over = !next || next.ending.solved;
+      yield undefined;
+    }
+    return mine.tried.slice(0, count);
+  },
+
+  /** Tries a ball of the radius in each cell of the scene. Updates: the outcomes so far. */
+  *solutions(puzzle: Puzzle, radius: number) {
+    const map = new SolveMap(puzzle, radius);
+    try {
+      for (let goesOn = true; goesOn; ) {
+        const end = performance.now() + SLICE;
+        while (goesOn && performance.now() < end) goesOn = map.advance();
+        yield { radius, outcomes: map.outcomes(), progress: map.progress() };
+      }
+    } finally {
+      map.free();
+    }
+  },
+
+  luck: (puzzle: Puzzle, ball: Ball) => luck(puzzle, ball),
+};
+
+/** The calls that run and have not been cancelled. */
+const running = new Set<number>();
+
+addEventListener("message", async ({ data: { id, call, args, cancel } }) => {
+  if (cancel !== undefined) return void running.delete(cancel);
+  running.add(id);
+  try {
+    postMessage({ id, value: await answer(id, call, args) });
+  } catch (error) {
+    postMessage({ id, failure: failureOf(error) });
+  } finally {
+    running.delete(id);
+  }
+});
+
+async function answer(id: number, name: keyof Calls, args: unknown[]): Promise<unknown> {
+  // Searches need no weights, but all need the wasm.
+  if (name !== "load") await started;
+  const call: (...args: any[]) => any = calls[name];
+  const steps = call(...args);
+  if (typeof steps?.next !== "function") return steps;
+  while (running.has(id)) {
+    const { done, value } = await steps.next();
+    if (done) return value;
+    if (value !== undefined) postMessage({ id, update: value });
+    await letMessagesIn();
+  }
+  return steps.return();
+}
+
+function hex(bytes: ArrayBuffer): string {
+  return Array.from(new Uint8Array(bytes), (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+async function fetched(url: string): Promise<Response> {
+  const response = await fetch(url).catch((error) => {
+    throw failed("offline", String(error));
+  });
+  if (!response.ok) throw failed("missing", `${url}: ${response.status} ${response.statusText}`);
+  return response;
+}
+
+function failed(code: Failure["code"], reason: string): Error & { code: string } {
+  return Object.assign(new Error(reason), { code });
+}
+
+function failureOf(error: any): Failure {
+  // After a panic in Rust or a trap the memory of the instance is in no known state.
+  const crashed = error?.code === "panic" || error instanceof WebAssembly.RuntimeError;
+  const code = crashed ? "crashed" : ["offline", "missing", "damaged"].includes(error?.code) ? error.code : "broken";
+  return { code, reason: error?.message ?? String(error) };
+}
+
+const channel = new MessageChannel();
+const waiting: (() => void)[] = [];
+channel.port1.onmessage = () => waiting.shift()?.();
+
+/** Sends a message to itself, because browsers delay nested timeouts by 4 ms. */
+function letMessagesIn(): Promise<void> {
+  return new Promise((resolve) => {
+    waiting.push(resolve);
+    channel.port2.postMessage(null);
+  });
+}

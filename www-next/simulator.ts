@@ -1,0 +1,126 @@
+// The page's wasm: it simulates and paints, and knows no nets. The only user of pkg/page.
+
+import init, {
+  OpenPuzzle,
+  fold,
+  paintLegend,
+  paintMap,
+  paintOutcomes,
+  paintThumbnail,
+  solveRates,
+} from "./pkg/page/pathlight.js";
+import { GRID_SIDE, SCENE_SIZE, TEMPLATES } from "./pkg/constants.ts";
+import models from "../assets/model.json";
+import type { Puzzle } from "./core/puzzle.ts";
+import type { Benchmark } from "./core/derived/next.ts";
+import type { Ball, MapName, Puzzle as Source, RolloutFacts, Setup, ShownRollout, View } from "./pkg/page/pathlight.js";
+
+/** Its objects are freed with the puzzles that they belong to. */
+const handles = new WeakMap<Puzzle, OpenPuzzle>();
+
+export async function loadSimulator(module: WebAssembly.Module | Promise<WebAssembly.Module>): Promise<void> {
+  await init({ module_or_path: await module });
+}
+
+/** Throws if there is no such task, or if the scene may not be played. */
+export function openPuzzle(source: Source): Puzzle {
+  const open = new OpenPuzzle(source);
+  const about = open.about();
+  const puzzle: Puzzle = {
+    source,
+    key: about.id ?? about.digest!,
+    about,
+    scene: about.scene,
+    whyInvalid: latest((ball) => open.whyInvalid(...ball) ?? null),
+    nearestPlace: (ball) => open.nearestPlace(...ball) ?? null,
+    rollout: remembered((ball) => open.rollout(ball)),
+  };
+  handles.set(puzzle, open);
+  return puzzle;
+}
+
+export function paint(
+  context: CanvasRenderingContext2D,
+  puzzle: Puzzle,
+  rollouts: readonly ShownRollout[],
+  view: View,
+  maps: HTMLCanvasElement[],
+): void {
+  handles.get(puzzle)!.paint(context, [...rollouts], view, maps);
+}
+
+export function paintTask(canvas: HTMLCanvasElement, source: Source, dark: boolean): void {
+  paintThumbnail(canvas.getContext("2d")!, source, dark);
+}
+
+/** A map as a picture, painted once. Its opacity is that of the values, so that what is unsure looks so. */
+export function mapPicture(name: MapName, values: Float32Array, dark: boolean): HTMLCanvasElement {
+  return picture(values, dark, GRID_SIDE, (context) => paintMap(context, name, values, 1, dark));
+}
+
+export function outcomesPicture(outcomes: Uint8Array, dark: boolean): HTMLCanvasElement {
+  return picture(outcomes, dark, SCENE_SIZE, (context) => paintOutcomes(context, outcomes, dark));
+}
+
+export function legendPicture(name: MapName, dark: boolean): HTMLCanvasElement {
+  return drawn(120, 6, (context) => paintLegend(context, name, dark));
+}
+
+let known: Benchmark | null = null;
+
+export function benchmark(): Benchmark {
+  if (known) return known;
+  // A model is named after the fold that it was trained on: "within-0".
+  const [setup, number] = models.models[0]!.name.split("-");
+  const tasks = TEMPLATES.flatMap((template) => template.tasks);
+  known = { tasks, rates: solveRates(), unseen: new Set(fold(setup as Setup, Number(number)).test) };
+  return known;
+}
+
+const pictures = new WeakMap<object, Map<boolean, HTMLCanvasElement>>();
+
+function picture(
+  values: Float32Array | Uint8Array,
+  dark: boolean,
+  side: number,
+  draw: (context: CanvasRenderingContext2D) => void,
+): HTMLCanvasElement {
+  const made = pictures.get(values) ?? new Map<boolean, HTMLCanvasElement>();
+  pictures.set(values, made);
+  const canvas = made.get(dark) ?? drawn(side, side, draw);
+  made.set(dark, canvas);
+  return canvas;
+}
+
+function drawn(
+  width: number,
+  height: number,
+  draw: (context: CanvasRenderingContext2D) => void,
+): HTMLCanvasElement {
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = height;
+  draw(canvas.getContext("2d")!);
+  return canvas;
+}
+
+/** A pure function that keeps its last result. */
+function latest<Result>(compute: (ball: Ball) => Result): (ball: Ball) => Result {
+  let last: { ball: Ball; result: Result } | null = null;
+  return (ball) => (last?.ball === ball ? last : (last = { ball, result: compute(ball) })).result;
+}
+
+const MOST_REMEMBERED = 16;
+
+/** A pure function that keeps its last results. */
+function remembered(compute: (ball: Ball | null) => RolloutFacts): (ball: Ball | null) => RolloutFacts {
+  const results = new Map<string, RolloutFacts>();
+  return (ball) => {
+    const key = String(ball);
+    const result = results.get(key) ?? compute(ball);
+    results.delete(key);
+    results.set(key, result);
+    if (results.size > MOST_REMEMBERED) results.delete(results.keys().next().value!);
+    return result;
+  };
+}

@@ -1,0 +1,72 @@
+// What a key asks for, from the facts of its event alone.
+
+export type KeyFacts = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">;
+
+/** `move`, `resize` and `next` are asked for in the scene; the others anywhere. */
+export type KeyAction =
+  | { readonly kind: "move"; readonly dx: number; readonly dy: number }
+  | { readonly kind: "resize"; readonly dr: number }
+  | { readonly kind: "next" | "toggle" | "again" | "undo" | "redo" | "previousPuzzle" | "nextPuzzle" }
+  | { readonly kind: "stepBy"; readonly steps: number }
+  | { readonly kind: "panel"; readonly index: number };
+
+/** With Shift an arrow moves the ball as far, px. */
+const FAR = 10;
+
+const ARROWS: Record<string, readonly [dx: number, dy: number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+const PLAIN: Record<string, KeyAction> = {
+  "+": { kind: "resize", dr: 1 },
+  "=": { kind: "resize", dr: 1 },
+  "-": { kind: "resize", dr: -1 },
+  "−": { kind: "resize", dr: -1 },
+  Enter: { kind: "next" },
+  " ": { kind: "toggle" },
+  r: { kind: "again" },
+  ",": { kind: "stepBy", steps: -1 },
+  ".": { kind: "stepBy", steps: 1 },
+  "[": { kind: "previousPuzzle" },
+  "]": { kind: "nextPuzzle" },
+};
+/** What keys are called where another layout gives them another letter. */
+const CODES: Record<string, string> = {
+  BracketLeft: "[",
+  BracketRight: "]",
+  Comma: ",",
+  Period: ".",
+  Minus: "-",
+  Equal: "=",
+  NumpadAdd: "+",
+  NumpadSubtract: "-",
+};
+
+export function keyAction(facts: KeyFacts): KeyAction | null {
+  const names = namesOf(facts);
+  if (facts.ctrlKey || facts.metaKey) return facts.altKey ? null : withControl(names, facts.shiftKey);
+  if (facts.altKey) return null;
+  const arrow = ARROWS[facts.key];
+  const far = facts.shiftKey ? FAR : 1;
+  if (arrow) return { kind: "move", dx: arrow[0] * far, dy: arrow[1] * far };
+  for (const name of names) {
+    const action = PLAIN[name] ?? (/^[1-9]$/.test(name) ? { kind: "panel" as const, index: Number(name) - 1 } : null);
+    if (action) return action;
+  }
+  return null;
+}
+
+function withControl(names: string[], shift: boolean): KeyAction | null {
+  if (names.includes("y")) return { kind: "redo" };
+  return names.includes("z") ? { kind: shift ? "redo" : "undo" } : null;
+}
+
+/** What a key may be called: what it writes, and where it is unless that is a Latin letter. */
+function namesOf({ key, code }: KeyFacts): string[] {
+  const written = key.length === 1 ? key.toLowerCase() : key;
+  if (/^\p{Script=Latin}$/u.test(written)) return [written];
+  const place = /^Key[A-Z]$/.test(code) ? code.slice(3).toLowerCase() : /^Digit\d$/.test(code) ? code.slice(5) : CODES[code];
+  return place === undefined ? [written] : [written, place];
+}

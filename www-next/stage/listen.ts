@@ -1,0 +1,115 @@
+// Pointer, wheel and keys, as changes of the state. Decides nothing itself.
+
+import { goBy, takeNextStep } from "../actions.ts";
+import { cancel, drag, nudge, press, redo, release, undo } from "../core/change/placement.ts";
+import { PANELS, openPanel } from "../core/change/route.ts";
+import { again, stepBy, togglePlaying } from "../core/change/run.ts";
+import { SCENE_SIZE } from "../pkg/constants.ts";
+import { keyAction } from "./keys.ts";
+import { wheelSteps } from "./wheel.ts";
+import type { Point } from "../core/change/placement.ts";
+import type { State } from "../core/state.ts";
+import type { Store } from "../core/store.ts";
+import type { KeyAction } from "./keys.ts";
+import type { Stage } from "./stage.ts";
+
+/** How near a pointer has to come to the knob, and to the middle of a small ball, CSS px. */
+const REACH: Record<string, { knob: number; ball: number }> = {
+  mouse: { knob: 10, ball: 0 },
+  pen: { knob: 14, ball: 10 },
+  touch: { knob: 22, ball: 22 },
+};
+
+/** Listens until the signal is aborted; `around`: where keys are heard that are not the scene's alone. */
+export function listen(stage: Stage, around: EventTarget, store: Store<State>, signal: AbortSignal): void {
+  const { canvas } = stage;
+  let keyPresses = 0;
+  let wheelRest = 0;
+
+  on(canvas, "pointerdown", (event: PointerEvent) => {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    canvas.focus({ preventScroll: true });
+    canvas.setPointerCapture(event.pointerId);
+    const { knob, ball } = REACH[event.pointerType] ?? REACH.mouse!;
+    store.change(press, event.pointerId, pointOf(event), { knob: knob / stage.scale, ball: ball / stage.scale });
+  });
+  on(canvas, "pointermove", (event: PointerEvent) => store.change(drag, event.pointerId, pointOf(event)));
+  on(canvas, "pointerup", (event: PointerEvent) => store.change(release, event.pointerId));
+  on(canvas, "pointercancel", (event: PointerEvent) => store.change(cancel, event.pointerId));
+
+  on(canvas, "wheel", (event: WheelEvent) => {
+    // The wheel is the page's, unless the person is busy with the ball; with Ctrl it zooms.
+    if (!canvas.matches(":focus") || event.ctrlKey || store.state.run || !store.state.placement.ball) return;
+    event.preventDefault();
+    const [steps, rest] = wheelSteps(wheelRest, event);
+    wheelRest = rest;
+    if (steps) store.change(nudge, 0, 0, steps, "wheel");
+  });
+
+  on(canvas, "keydown", (event: KeyboardEvent) => {
+    const action = keyAction(event);
+    if (!action) return;
+    // A key that is held down is one gesture.
+    if (!event.repeat) keyPresses += 1;
+    if (action.kind === "move") store.change(nudge, action.dx, action.dy, 0, `key ${keyPresses}`);
+    else if (action.kind === "resize") store.change(nudge, 0, 0, action.dr, `key ${keyPresses}`);
+    else if (action.kind !== "next") return;
+    else if (!event.repeat) takeNextStep(store);
+    event.preventDefault();
+  });
+
+  on(around, "keydown", (event: KeyboardEvent) => {
+    const action = keyAction(event);
+    if (!action || event.defaultPrevented || isTyped(event, action)) return;
+    if (act(action, event.repeat)) event.preventDefault();
+  });
+
+  function act(action: KeyAction, isRepeated: boolean): boolean {
+    switch (action.kind) {
+      case "undo":
+        store.change(undo);
+        return true;
+      case "redo":
+        store.change(redo);
+        return true;
+      case "stepBy":
+        store.change(stepBy, action.steps);
+        return store.state.run !== null;
+      case "toggle":
+        if (store.state.run && !isRepeated) store.change(togglePlaying);
+        return store.state.run !== null;
+      case "again":
+        store.change(again);
+        return true;
+      case "panel": {
+        const panel = PANELS[action.index];
+        if (panel) store.change(openPanel, panel);
+        return panel !== undefined;
+      }
+      case "previousPuzzle":
+      case "nextPuzzle":
+        goBy(store, action.kind === "nextPuzzle" ? 1 : -1);
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  function pointOf({ clientX, clientY }: PointerEvent): Point {
+    const box = canvas.getBoundingClientRect();
+    return [((clientX - box.left) / box.width) * SCENE_SIZE, ((box.bottom - clientY) / box.height) * SCENE_SIZE];
+  }
+
+  function on(target: EventTarget, type: string, listener: (event: any) => void): void {
+    target.addEventListener(type, listener, { signal, passive: false });
+  }
+}
+
+/** Is the key meant for a field or a button? */
+function isTyped(event: KeyboardEvent, action: KeyAction): boolean {
+  const target = event.composedPath()[0];
+  if (!(target instanceof Element)) return false;
+  if (target.matches("input:not([type=range], [type=checkbox], [type=radio]), textarea, select")) return true;
+  return action.kind === "toggle" && target.matches("button, input, summary, a");
+}

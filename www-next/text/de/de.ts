@@ -1,0 +1,6 @@
+import { page } from "./page.ts";
+import { play } from "./play.ts";
+import { puzzle } from "./puzzle.ts";
+import type { Text } from "../text.ts";
+
+export const de: Text = { language: "de", page, play, puzzle };

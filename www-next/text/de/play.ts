@@ -1,0 +1,90 @@
+// Playing: placing and dropping the ball, the duel and its verdict, the list of attempts, maps and the check.
+
+import { formatsOf } from "../formats.ts";
+import { widthsIn } from "../widths.ts";
+import type { Outcome } from "../../core/derived/duel.ts";
+import type { Text } from "../text.ts";
+
+const { counted, number, percent, seconds } = formatsOf("de");
+
+const balls = widthsIn({
+  hair: "ein Haar",
+  quarter: "eine Viertelkugel",
+  half: "eine halbe Kugel",
+  one: "eine Kugelbreite",
+  more: (count) => `${number(count)} Kugeln`,
+});
+
+const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => string> = {
+  won: (round) =>
+    round === 1 ? "Du schlägst das Modell mit der ersten Kugel!" : `Du schlägst das Modell mit Kugel ${round}!`,
+  draw: (round) => `Unentschieden: Beide lösen es mit Kugel ${round}.`,
+  late: (round, modelAt) => `Gelöst mit Kugel ${round}! Das Modell brauchte ${modelAt}.`,
+  lost: (round) => `Das Modell löst es mit Kugel ${round}. Und du?`,
+  behind: (_, modelAt) => `Noch nicht. Das Modell brauchte ${counted(modelAt!, "Kugel", "Kugeln")}.`,
+  neither: () => "Noch keiner von beiden.",
+  solved: (round) => (round === 1 ? "Gelöst mit der ersten Kugel!" : `Gelöst mit Kugel ${round}!`),
+  missed: () => "Noch nicht.",
+};
+
+export const play: Text["play"] = {
+  tab: "Spielen",
+  step: { drop: "Fallen lassen", pause: "Pause", play: "Weiter", again: "Neuer Versuch", next: "Nächstes Rätsel" },
+  placeFirst: "Klick oder tipp in die Szene, um deine rote Kugel zu setzen. Danach fasst niemand mehr etwas an.",
+  ready: "Bereit. Lass sie fallen!",
+  running: "Jetzt fasst niemand mehr etwas an.",
+  full: "Du hast alle 100 Kugeln dieses Rätsels verbraucht.",
+
+  verdict: ({ outcome, round, modelAt }) => OUTCOMES[outcome](round, modelAt),
+  miss: ({ facts: { ending, nearest }, radius }) =>
+    ending.longest_touch > 0
+      ? `Grün hat das Ziel ${seconds(ending.longest_touch / 60)} lang berührt, 3 wären nötig.`
+      : `Grün hat das Ziel um ${balls(nearest.gap, radius)} verfehlt.`,
+  guessed: (chance, off, radius) =>
+    `Das Modell gab deiner Kugel ${chance < 0.01 ? "unter 1 %" : percent(chance)}; ` +
+    `seine Vermutung lag um ${balls(off, radius)} daneben.`,
+  luck: (solved, valid) =>
+    solved > 0.6 * valid
+      ? `Ein Plan: ${solved} der ${valid} Kugeln neben deiner lösen es auch.`
+      : solved > 0.25 * valid
+        ? `Ein Plan mit etwas Glück: ${solved} der ${valid} Kugeln neben deiner lösen es auch.`
+        : `Vor allem Glück: ${solved} der ${valid} Kugeln neben deiner lösen es auch.`,
+  showModel: "Kugel des Modells zeigen",
+
+  playback: "Wiedergabe",
+  moment: "Zeitpunkt",
+  speed: "Tempo",
+  times: (speed) => (speed === 0.25 ? "¼×" : `${speed}×`),
+  time: (steps) => seconds(steps / 60),
+  replay: "Noch einmal abspielen",
+
+  radius: "Radius",
+  duel: "Du gegen das Modell",
+  you: "Du",
+  model: "Modell",
+  noAttempts: "Jede Kugel ist ein Duell: Das Modell lässt eine eigene fallen.",
+  solved: "gelöst",
+  missed: "verfehlt",
+  waiting: "noch nicht",
+  done: "fertig",
+  round: (round) => `Kugel ${round}: noch einmal zeigen`,
+  guess: "Vermutung des Modells",
+  alone: "Ohne das Modell spielen",
+
+  maps: "Was sich das Modell vorstellt",
+  map: {
+    base: "Wenn du nichts tust",
+    target: "Was Grün tun muss",
+    action: "Was Rot tun muss",
+    placement: "Wo Rot beginnt",
+    success: "Was gelingt",
+  },
+
+  check: "Alle Plätze zeigen, die gehen",
+  checkHint: "Dreimal verfehlt: Möchtest du sehen, wo eine Kugel geht?",
+  checkRadius: "Radius der Kugeln",
+  checking: (progress) => `${percent(progress)} probiert`,
+
+  practised: "Achtung: Genau dieses Rätsel hat das Modell geübt.",
+  unseen: "Das Modell kennt diese Art, aber nicht dieses Rätsel.",
+};

@@ -1,0 +1,44 @@
+// The page round the scene: header, menu, and what is said when something goes wrong.
+
+import type { Failure } from "../../core/change/model.ts";
+import type { Notice } from "../../core/change/settings.ts";
+import { formatsOf } from "../formats.ts";
+
+const { percent } = formatsOf("en-GB");
+
+const FAILURES: Record<Failure["code"], string> = {
+  offline: "No connection. You can play on; the model comes when you are back.",
+  missing: "The model’s files were not found on this server. You can play on alone.",
+  damaged: "The model’s file arrived damaged. You can play on alone.",
+  crashed: "The model stopped unexpectedly. You can play on alone.",
+  broken: "The model could not be started. You can play on alone.",
+};
+
+export const page = {
+  brand: "Pathlight",
+  skip: "Skip to the scene",
+  previous: "Previous puzzle",
+  next: "Next puzzle in the list",
+  number: "Number of the puzzle",
+  tabs: "Panels",
+  menu: "Menu",
+  theme: "Theme",
+  themes: { light: "Light", dark: "Dark" },
+  language: "Language",
+  scene: "puzzle scene",
+
+  loading: (arrived: number) => `The model is loading (${percent(arrived)}). You can play already.`,
+  failure: (failure: Failure) => FAILURES[failure.code],
+  retry: "Load it again",
+  dismiss: "Close",
+  notice: (notice: Notice) => {
+    switch (notice.kind) {
+      case "no_task":
+        return `There is no puzzle ${notice.task}. Numbers go from 00000:000 to 00024:099.`;
+      case "unread_link":
+        return `This link has a part that Pathlight does not understand: ${notice.parts.join(", ")}.`;
+      case "storage_full":
+        return "This browser has no room left: what you play now is forgotten when you leave.";
+    }
+  },
+};

@@ -1,0 +1,91 @@
+// Playing: placing and dropping the ball, the duel and its verdict, the list of attempts, maps and the check.
+
+import { formatsOf } from "../formats.ts";
+import { widthsIn } from "../widths.ts";
+import type { Outcome, Verdict } from "../../core/derived/duel.ts";
+import type { MapName } from "../../pkg/page/pathlight.js";
+
+const { counted, number, percent, seconds } = formatsOf("en-GB");
+
+/** A distance in widths of the ball. */
+const balls = widthsIn({
+  hair: "a hair",
+  quarter: "a quarter of a ball",
+  half: "half a ball",
+  one: "a ball’s width",
+  more: (count) => `${number(count)} balls`,
+});
+
+const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => string> = {
+  won: (round) => (round === 1 ? "You beat the model with your first ball!" : `You beat the model with ball ${round}!`),
+  draw: (round) => `A draw: both solve it with ball ${round}.`,
+  late: (round, modelAt) => `Solved with ball ${round}! The model needed ${modelAt}.`,
+  lost: (round) => `The model solves it with ball ${round}. Can you?`,
+  behind: (_, modelAt) => `Not yet. The model needed ${counted(modelAt!, "ball", "balls")}.`,
+  neither: () => "Neither of you, not yet.",
+  solved: (round) => (round === 1 ? "Solved with your first ball!" : `Solved with ball ${round}!`),
+  missed: () => "Not yet.",
+};
+
+export const play = {
+  tab: "Play",
+  step: { drop: "Drop it", pause: "Pause", play: "Go on", again: "Try again", next: "Next puzzle" },
+  placeFirst: "Click or tap the scene to place your red ball. Nobody touches anything after that.",
+  ready: "Ready. Drop it!",
+  running: "Now nobody touches anything.",
+  full: "You have used all 100 balls of this puzzle.",
+
+  verdict: ({ outcome, round, modelAt }: Verdict) => OUTCOMES[outcome](round, modelAt),
+  /** What became of a miss. */
+  miss: ({ facts: { ending, nearest }, radius }: Verdict) =>
+    ending.longest_touch > 0
+      ? `Green touched the goal for ${seconds(ending.longest_touch / 60)} of 3.`
+      : `Green missed the goal by ${balls(nearest.gap, radius)}.`,
+  guessed: (chance: number, off: number, radius: number) =>
+    `The model gave your ball ${chance < 0.01 ? "under 1%" : percent(chance)}; its guess was ${balls(off, radius)} off.`,
+  luck: (solved: number, valid: number) =>
+    solved > 0.6 * valid
+      ? `A plan: ${solved} of the ${valid} balls beside yours solve it too.`
+      : solved > 0.25 * valid
+        ? `A plan with some luck: ${solved} of the ${valid} balls beside yours solve it too.`
+        : `Mostly luck: ${solved} of the ${valid} balls beside yours solve it too.`,
+  showModel: "Show the model’s ball",
+
+  playback: "Playback",
+  moment: "Moment",
+  speed: "Speed",
+  times: (speed: number) => (speed === 0.25 ? "¼×" : `${speed}×`),
+  time: (steps: number) => seconds(steps / 60),
+  replay: "Play it again",
+
+  radius: "Radius",
+  duel: "You against the model",
+  you: "You",
+  model: "Model",
+  noAttempts: "Every ball you drop is a duel: the model drops one of its own.",
+  /** The mark of an attempt, and what it is for a screen reader. */
+  solved: "solved",
+  missed: "missed",
+  waiting: "not yet",
+  done: "done",
+  round: (round: number) => `Ball ${round}: show it again`,
+  guess: "The model’s guess",
+  alone: "Play without the model",
+
+  maps: "What the model imagines",
+  map: {
+    base: "If you do nothing",
+    target: "What green must do",
+    action: "What red must do",
+    placement: "Where to start",
+    success: "What works",
+  } satisfies Record<MapName, string>,
+
+  check: "Show every place that works",
+  checkHint: "Three misses: would you like to see where a ball works?",
+  checkRadius: "Radius of the balls",
+  checking: (progress: number) => `${percent(progress)} tried`,
+
+  practised: "Careful: the model trained on this very puzzle.",
+  unseen: "The model has practised puzzles of this kind, but not this one.",
+};

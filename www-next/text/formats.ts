@@ -1,0 +1,14 @@
+// Numbers and units as a language writes them.
+
+export function formatsOf(language: string) {
+  const number = (value: number, decimals = 0) =>
+    new Intl.NumberFormat(language, { minimumFractionDigits: decimals, maximumFractionDigits: decimals }).format(value);
+  return {
+    number,
+    /** 0.304 as "30%". */
+    percent: (share: number) => new Intl.NumberFormat(language, { style: "percent" }).format(share),
+    /** Without a break before the unit: "1.4 s". */
+    seconds: (value: number) => `${number(value, 1)}\u00a0s`,
+    counted: (count: number, one: string, more: string) => `${number(count)} ${count === 1 ? one : more}`,
+  };
+}

@@ -1,0 +1,74 @@
+// Under the scene: the one large button, and beside it the radius while the ball is placed, playback while it runs.
+
+import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
+import { takeNextStep } from "../actions.ts";
+import { FIRST_RADIUS, resize } from "../core/change/placement.ts";
+import { SPEEDS, seek, setSpeed, togglePlaying } from "../core/change/run.ts";
+import { attemptLimitReached, nextStep } from "../core/derived/duel.ts";
+import { fault } from "../core/derived/placing.ts";
+import { ended, lastStep } from "../core/derived/run.ts";
+import { MAX_RADIUS, MIN_RADIUS } from "../pkg/constants.ts";
+import { icon } from "./icons.ts";
+import type { App, View } from "./view.ts";
+
+/** The button is one element whatever it does, so it never loses the focus. */
+export function controls(app: App): View {
+  const { store } = app;
+  const { state } = store;
+  const step = nextStep(state);
+  const canDrop = state.placement.ball !== null && fault(state) === null && !attemptLimitReached(state);
+  return html`<button class="step ${step}" ?disabled=${step === "drop" && !canDrop} @click=${clicked}>
+      ${state.text.play.step[step]}
+    </button>
+    ${state.run ? playback(app) : radius(app)}`;
+
+  // The second click of a double click must not undo what the first has done.
+  function clicked({ detail }: MouseEvent): void {
+    if (detail < 2) takeNextStep(store);
+  }
+}
+
+function radius({ store }: App): View {
+  const { placement, text } = store.state;
+  return html`<label class="slider">
+    <span>${text.play.radius}</span>
+    <input
+      type="range"
+      min=${MIN_RADIUS}
+      max=${MAX_RADIUS}
+      .value=${live(String(placement.ball?.[2] ?? FIRST_RADIUS))}
+      @input=${({ target }: Event) => store.change(resize, (target as HTMLInputElement).valueAsNumber, "slider")}
+    />
+  </label>`;
+}
+
+function playback({ store }: App): View {
+  const { state } = store;
+  const { run, text, speed } = state;
+  const now = text.play.time(run!.step);
+  return html`<div class="slider" role="group" aria-label=${text.play.playback}>
+    ${ended(state)
+      ? html`<button class="small" aria-label=${text.play.replay} @click=${() => store.change(togglePlaying)}>
+          ${icon("replay")}
+        </button>`
+      : nothing}
+    <input
+      type="range"
+      min="0"
+      max=${lastStep(state)}
+      aria-label=${text.play.moment}
+      aria-valuetext=${now}
+      .value=${live(String(Math.round(run!.step)))}
+      @input=${({ target }: Event) => store.change(seek, (target as HTMLInputElement).valueAsNumber)}
+    />
+    <span class="time">${now}</span>
+    <select aria-label=${text.play.speed} @change=${chosen}>
+      ${SPEEDS.map((one) => html`<option value=${one} .selected=${one === speed}>${text.play.times(one)}</option>`)}
+    </select>
+  </div>`;
+
+  function chosen({ target }: Event): void {
+    store.change(setSpeed, Number((target as HTMLSelectElement).value));
+  }
+}

@@ -1,0 +1,84 @@
+// The header: which puzzle is open, the way to others, and the menu.
+
+import { html } from "lit";
+import { live } from "lit/directives/live.js";
+import { goBy, goTo } from "../actions.ts";
+import { choose } from "../core/change/kept.ts";
+import { taskOf } from "../core/derived/next.ts";
+import { theme } from "../core/derived/looks.ts";
+import { LANGUAGES } from "../text/text.ts";
+import { icon } from "./icons.ts";
+import type { Language, Theme } from "../core/change/kept.ts";
+import type { App, View } from "./view.ts";
+
+export function header(app: App): View {
+  const { store } = app;
+  const { text, puzzle } = store.state;
+  return html`<header>
+    <a class="brand" href="#" aria-label=${text.page.brand}>${icon("brand")}</a>
+    <nav class="picker">
+      <button aria-label=${text.page.previous} @click=${() => goBy(store, -1)}>${icon("previous")}</button>
+      <h1>${text.puzzle.name(puzzle.about)}</h1>
+      <input
+        class="number"
+        size="9"
+        spellcheck="false"
+        autocomplete="off"
+        aria-label=${text.page.number}
+        .value=${live(puzzle.about.id ?? "")}
+        @change=${typed}
+      />
+      <button aria-label=${text.page.next} @click=${() => goBy(store, 1)}>${icon("next")}</button>
+    </nav>
+    ${menu(app)}
+  </header>`;
+
+  function typed({ target }: Event): void {
+    const { value } = target as HTMLInputElement;
+    goTo(store, taskOf(value) ?? value);
+  }
+}
+
+function menu({ store }: App): View {
+  const { state } = store;
+  const { text } = state;
+  return html`<details class="menu" @keydown=${closed} @focusout=${left}>
+    <summary aria-label=${text.page.menu}>${icon("menu")}</summary>
+    <div class="sheet">
+      <fieldset>
+        <legend>${text.page.language}</legend>
+        ${Object.entries(LANGUAGES).map(
+          ([language, { name }]) =>
+            html`<button
+              lang=${language}
+              aria-pressed=${language === text.language}
+              @click=${() => store.change(choose, { language: language as Language })}
+            >
+              ${name}
+            </button>`,
+        )}
+      </fieldset>
+      <fieldset>
+        <legend>${text.page.theme}</legend>
+        ${(["light", "dark"] satisfies Theme[]).map(
+          (one) =>
+            html`<button aria-pressed=${one === theme(state)} @click=${() => store.change(choose, { theme: one })}>
+              ${text.page.themes[one]}
+            </button>`,
+        )}
+      </fieldset>
+    </div>
+  </details>`;
+
+  function closed(event: KeyboardEvent): void {
+    if (event.key !== "Escape") return;
+    const details = event.currentTarget as HTMLDetailsElement;
+    details.open = false;
+    details.querySelector("summary")!.focus();
+  }
+
+  function left({ currentTarget, relatedTarget }: FocusEvent): void {
+    const details = currentTarget as HTMLDetailsElement;
+    if (relatedTarget && !details.contains(relatedTarget as Node)) details.open = false;
+  }
+}

@@ -1,0 +1,149 @@
+// The panel Play: the duel so far, the model and its maps, and the check.
+
+import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
+import { setCheckRadius, toggleCheck } from "../core/change/check.ts";
+import { choose } from "../core/change/kept.ts";
+import { startModel } from "../core/change/model.ts";
+import { toggleLayer } from "../core/change/route.ts";
+import { show } from "../core/change/run.ts";
+import { missesInARow, modelSolvedAt, rounds } from "../core/derived/duel.ts";
+import { isDark } from "../core/derived/looks.ts";
+import { solutions } from "../core/derived/placing.ts";
+import { MAPS, MAX_RADIUS, MIN_RADIUS } from "../pkg/constants.ts";
+import { mapPicture } from "../simulator.ts";
+import type { Round } from "../core/derived/duel.ts";
+import type { App, View } from "./view.ts";
+
+/** After as many misses in a row the check is offered. */
+const MISSES = 3;
+
+export function play(app: App): View {
+  return html`${duel(app)} ${model(app)} ${switches(app)} ${check(app)} ${maps(app)}`;
+}
+
+function duel({ store }: App): View {
+  const { state } = store;
+  const { text, run, kept } = state;
+  const made = rounds(state);
+  const modelAt = modelSolvedAt(state);
+  if (made.length === 0) return kept.alone ? nothing : html`<p class="quiet">${text.play.noAttempts}</p>`;
+  return html`<div class="duel">
+    <div class="who" aria-hidden="true">
+      <span class="you">${text.play.you}</span>
+      ${kept.alone ? nothing : html`<span class="model">${text.play.model}</span>`}
+    </div>
+    <ol aria-label=${text.play.duel}>
+      ${made.map(
+        (round) =>
+          html`<li>
+            <button
+              aria-label=${`${text.play.round(round.number)}. ${text.play.you}: ${mark(round).you}. ${text.play.model}: ${mark(round).model}`}
+              aria-pressed=${run?.round === round.number}
+              @click=${() => store.change(show, round.number)}
+            >
+              <span class=${round.player.status}>${round.player.status === "solved" ? "✓" : "✕"}</span>
+              ${kept.alone ? nothing : modelMark(round)}
+            </button>
+          </li>`,
+      )}
+    </ol>
+  </div>`;
+
+  function modelMark({ number, model }: Round): View {
+    if (!model) return html`<span class="none">${modelAt !== null && number > modelAt ? "·" : "…"}</span>`;
+    return html`<span class=${model.solved ? "solved" : "not_solved"}>${model.solved ? "✓" : "✕"}</span>`;
+  }
+
+  function mark({ number, player, model }: Round): { you: string; model: string } {
+    const word = (solved: boolean) => (solved ? text.play.solved : text.play.missed);
+    const rest = modelAt !== null && number > modelAt ? text.play.done : text.play.waiting;
+    return { you: word(player.status === "solved"), model: model ? word(model.solved) : rest };
+  }
+}
+
+/** Whether the model is there, and what it knows of this puzzle. */
+function model({ store }: App): View {
+  const { model, answers, text } = store.state;
+  switch (model.kind) {
+    case "off":
+      return nothing;
+    case "loading":
+      return html`<p class="quiet">
+        ${text.page.loading(model.arrived)} <progress .value=${model.arrived} aria-hidden="true"></progress>
+      </p>`;
+    case "failed":
+      return html`<p class="trouble">
+        ${text.page.failure(model.failure)}
+        <button title=${model.failure.reason} @click=${() => store.change(startModel)}>${text.page.retry}</button>
+      </p>`;
+    case "ready":
+      if (answers.practised === null) return nothing;
+      return answers.practised
+        ? html`<p class="practised">${text.play.practised}</p>`
+        : html`<p class="quiet">${text.play.unseen}</p>`;
+  }
+}
+
+function switches({ store }: App): View {
+  const { kept, text } = store.state;
+  return html`<div class="switches">
+    ${checkbox(kept.guess, text.play.guess, (guess) => store.change(choose, { guess }))}
+    ${checkbox(kept.alone, text.play.alone, (alone) => store.change(choose, { alone }))}
+  </div>`;
+}
+
+function check({ store }: App): View {
+  const { state } = store;
+  const { check, text } = state;
+  if (!check && missesInARow(state) < MISSES) return nothing;
+  const found = solutions(state);
+  return html`<div class="check">
+    ${check ? nothing : html`<p>${text.play.checkHint}</p>`}
+    ${checkbox(check !== null, text.play.check, () => store.change(toggleCheck))}
+    ${check
+      ? html`<label class="slider">
+            <span>${text.play.checkRadius}</span>
+            <input
+              type="range"
+              min=${MIN_RADIUS}
+              max=${MAX_RADIUS}
+              .value=${live(String(check.radius))}
+              @input=${({ target }: Event) => store.change(setCheckRadius, (target as HTMLInputElement).valueAsNumber)}
+            />
+            <output>${check.radius}</output>
+          </label>
+          <p class="quiet">${text.play.checking(found?.progress ?? 0)}</p>`
+      : nothing}
+  </div>`;
+}
+
+function maps({ store }: App): View {
+  const { answers, route, text } = store.state;
+  const made = answers.maps;
+  if (!made) return nothing;
+  return html`<h2>${text.play.maps}</h2>
+    <div class="maps">
+      ${MAPS.map((name) => {
+        const values = made[name];
+        if (!values) return nothing;
+        return html`<button
+          aria-pressed=${route.layers.includes(name)}
+          @click=${() => store.change(toggleLayer, name)}
+        >
+          ${mapPicture(name, values, isDark(store.state))}<span>${text.play.map[name]}</span>
+        </button>`;
+      })}
+    </div>`;
+}
+
+function checkbox(checked: boolean, label: string, onChange: (checked: boolean) => void): View {
+  return html`<label class="switch">
+    <input
+      type="checkbox"
+      .checked=${live(checked)}
+      @change=${({ target }: Event) => onChange((target as HTMLInputElement).checked)}
+    />
+    ${label}
+  </label>`;
+}

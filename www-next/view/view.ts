@@ -1,0 +1,13 @@
+// What every view is: a function of the state to a template. It has the store for what its controls ask for.
+
+import type { TemplateResult, nothing } from "lit";
+import type { State } from "../core/state.ts";
+import type { Store } from "../core/store.ts";
+
+export type View = TemplateResult | typeof nothing;
+
+/** A puzzle on the page: its state, and the canvas of its scene. */
+export interface App {
+  readonly store: Store<State>;
+  readonly canvas: HTMLCanvasElement;
+}
