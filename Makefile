@@ -1,5 +1,6 @@
 # make play      builds what is missing and serves the page on PORT; PAGE=www serves its sources as they are, so that a change
 #                shows when the page is loaded again
+# make dev       serves the page of www-next on PORT, and loads it again whenever one of its files changes
 # make check     runs the fast checks: formats, lints, types and unit tests, without a browser
 # make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
 # make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
@@ -32,7 +33,7 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 
 .DELETE_ON_ERROR:
-.PHONY: play check test test-cluster bench build package dist timings pictures film clean
+.PHONY: play dev check test test-cluster bench build package dist timings pictures film clean
 
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
@@ -40,6 +41,10 @@ play: $(PACKAGE)
 	@page=$(PAGE); \
 	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; fix what is reported above, then run make play again" >&2; page=www; }; \
 	target/release/pathlight-serve --port $(PORT) --dir $$page
+
+dev: $(PACKAGE)
+	@scripts/install-tools js-tools
+	@PORT=$(PORT) node scripts/build-page.mjs --watch
 
 check test:
 	@scripts/$@
@@ -75,6 +80,6 @@ $(PACKAGE): $(PACKAGED)
 	scripts/build-wasm
 
 clean:
-	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc package page pictures release stages tmp \
-		tools wasm32-unknown-unknown wasm-package)
-	rm -rf dist dist.* www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules
+	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc package page page-next pictures release stages \
+		tests-www tmp tools wasm32-unknown-unknown wasm-compiled wasm-package)
+	rm -rf dist dist.* www/pkg www-next/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules

@@ -19,7 +19,7 @@ const files = {
 
 async function run(root: HTMLElement): Promise<void> {
   const forever = new AbortController().signal;
-  await loadSimulator(WebAssembly.compileStreaming(fetch(address("pkg/page/pathlight_bg.wasm"))));
+  await loadSimulator(address("pkg/page/pathlight_bg.wasm"));
   const kept = readKept();
   const { link, unread } = readAddress(location.hash);
   const named = link.task === null ? null : existing(link.task);

@@ -18,8 +18,11 @@ import type { Ball, MapName, Puzzle as Source, RolloutFacts, Setup, ShownRollout
 /** Its objects are freed with the puzzles that they belong to. */
 const handles = new WeakMap<Puzzle, OpenPuzzle>();
 
-export async function loadSimulator(module: WebAssembly.Module | Promise<WebAssembly.Module>): Promise<void> {
-  await init({ module_or_path: await module });
+/** Throws if it cannot be loaded. */
+export async function loadSimulator(url: string): Promise<void> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
+  await init({ module_or_path: response });
 }
 
 /** Throws if there is no such task, or if the scene may not be played. */
@@ -92,11 +95,7 @@ function picture(
   return canvas;
 }
 
-function drawn(
-  width: number,
-  height: number,
-  draw: (context: CanvasRenderingContext2D) => void,
-): HTMLCanvasElement {
+function drawn(width: number, height: number, draw: (context: CanvasRenderingContext2D) => void): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
   canvas.width = width;
   canvas.height = height;

@@ -7,6 +7,8 @@ use crate::puzzle::rollout::{GOAL_STEPS, Pose, Rollout};
 const STILL: f32 = 0.05;
 /// So does one that turns less than this, radians.
 const STILL_ANGLE: f32 = 0.005;
+/// For how long the eye sees that everything has come to rest, steps.
+const REST: usize = 24;
 /// Shorter stretches are not worth hurrying through, steps.
 const LEAST: usize = 45;
 
@@ -23,6 +25,12 @@ pub fn quiet_stretches<'a>(rollouts: impl Iterator<Item = &'a Rollout> + Clone) 
     }
     stretches.retain(|[first, end]| end - first + 1 >= LEAST);
     stretches
+}
+
+/// Returns the step after which nothing that can be seen happens any more: a moment after all has come to rest.
+pub fn visible_end(rollout: &Rollout) -> usize {
+    let still_from = (1..=rollout.steps).rev().find(|&step| !is_quiet(rollout, step)).unwrap_or(0);
+    (still_from + REST).min(rollout.still_from())
 }
 
 /// Returns the step at which the touch begins that solves the puzzle; `None` if it is not solved.
@@ -51,6 +59,21 @@ mod tests {
         let poses: Vec<Pose> = xs.map(|x| [x as f32, 0.0, 0.0]).collect();
         let touching = vec![false; poses.len()];
         Rollout { solved: false, steps: poses.len() - 1, bodies: vec![0], poses, touching }
+    }
+
+    #[test]
+    fn a_rollout_that_only_creeps_on_ends_a_moment_after_it_has_come_to_rest() {
+        let creeping = |step: usize| [step.min(9) as f32 + 0.01 * step as f32, 0.0, 0.0];
+        let of = |steps: usize, touching: bool| Rollout {
+            solved: false,
+            steps,
+            bodies: vec![0],
+            poses: (0..=steps).map(creeping).collect(),
+            touching: vec![touching; steps + 1],
+        };
+        assert_eq!(visible_end(&of(200, false)), 9 + REST);
+        assert_eq!(visible_end(&of(20, false)), 20);
+        assert_eq!(visible_end(&of(200, true)), 200);
     }
 
     #[test]

@@ -132,7 +132,9 @@ pub(crate) fn paint(
             painter.body(body, pose, index == scene.body2)
         })
     };
-    if let Some(imagined) = &view.imagined {
+    // Over a rollout, ribbons and ghosts would hide what really happens.
+    let placing = view.imagined.as_ref().filter(|_| first.is_none());
+    if let Some(imagined) = placing {
         painter.ribbons(scene, imagined)?;
     }
     bodies(false)?;
@@ -174,8 +176,8 @@ pub(crate) fn paint(
     if let (Some(recording), Some(approach)) = (first, &view.approach) {
         draw_approach(&painter, scene, recording, approach)?;
     }
-    if let Some(imagined) = &view.imagined {
-        painter.ghosts(scene, imagined, first.map(|_| view.step))?;
+    if let Some(imagined) = placing {
+        painter.ghosts(scene, imagined)?;
     }
     if let Some(Spark { step, point }) = view.spark {
         painter.spark(point, (view.step - step) / SPARK_STEPS)?;

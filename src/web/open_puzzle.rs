@@ -26,6 +26,7 @@ use crate::puzzle::rollout::Rollout;
 use crate::puzzle::sampled_paths::SampledPaths;
 use crate::puzzle::scene::Scene;
 use crate::session::ending::Ending;
+use crate::session::moments::visible_end;
 use crate::session::puzzle::Puzzle;
 use crate::simulator::{ClosestApproach, Contact, Engine, closest_approach, first_contact, simulate};
 use crate::verification::AttemptLine;
@@ -115,7 +116,7 @@ impl OpenPuzzle {
         let facts = to_js(&Facts {
             line: AttemptLine::of(&self.puzzle, ball, Engine::default()),
             ending: Ending::of(&rollout),
-            last: rollout.still_from(),
+            last: visible_end(&rollout),
             nearest: closest_approach(scene, &rollout),
             contact: ball.and_then(|ball| first_contact(scene, ball, &rollout)),
         })?;

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 use super::imagined_paths::{Hint, ImaginedPaths};
 use super::paint::{LineStyle, Painter, bounding_radius};
-use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
+use crate::puzzle::sampled_paths::{SAMPLES, SampledPath};
 use crate::puzzle::scene::{Body, Scene};
 
 /// The parts of a ribbon: width, in expected errors, and opacity, 0..=1. They lie over each other, so that it fades
@@ -43,15 +43,6 @@ impl Track {
             errors[sample + 1] = f64::from(path_errors[sample]).max(0.0);
         }
         Track { body, points, errors }
-    }
-
-    /// Returns the position after a number of steps, interpolated linearly between two samples.
-    fn at(&self, step: f64) -> [f64; 2] {
-        let after = SAMPLED_STEPS.iter().position(|&sampled| sampled as f64 >= step).unwrap_or(SAMPLES - 1);
-        let (from, to) = (if after == 0 { 0 } else { SAMPLED_STEPS[after - 1] }, SAMPLED_STEPS[after]);
-        let fraction = ((step - from as f64) / (to - from) as f64).clamp(0.0, 1.0);
-        let ([x, y], [u, v]) = (self.points[after], self.points[after + 1]);
-        [x + fraction * (u - x), y + fraction * (v - y)]
     }
 
     /// Returns the positions of its ghosts: some distance apart, and the last.
@@ -105,13 +96,11 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Draws ghosts of the green object and of the ball: where they are imagined after a number of steps, or all along
-    /// their paths.
-    pub(crate) fn ghosts(&self, scene: &Scene, imagined: &ImaginedPaths, step: Option<f64>) -> Result<(), JsValue> {
+    /// Draws ghosts of the green object and of the ball all along their paths.
+    pub(crate) fn ghosts(&self, scene: &Scene, imagined: &ImaginedPaths) -> Result<(), JsValue> {
         self.set_alpha(GHOST_OPACITY);
         for track in tracks(scene, imagined) {
-            let positions = step.map_or_else(|| track.ghosts(), |step| vec![track.at(step)]);
-            positions.into_iter().try_for_each(|position| self.ghost(&track.body, position))?;
+            track.ghosts().into_iter().try_for_each(|position| self.ghost(&track.body, position))?;
         }
         self.set_alpha(1.0);
         Ok(())

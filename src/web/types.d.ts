@@ -240,7 +240,7 @@ export interface RolloutFacts {
     /** The attempt, as it is kept and saved. */
     line: AttemptLine;
     ending: Ending;
-    /** The last step at which anything changes. */
+    /** The last step at which anything can be seen to happen. */
     last: number;
     nearest: ClosestApproach;
     /** When and where the ball first touches the green object. */

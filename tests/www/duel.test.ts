@@ -31,7 +31,10 @@ test("a drop is a duel of which nothing is told before both have ended", () => {
   assert.deepEqual([playerSolvedAt(middle), modelSolvedAt(middle)], [null, null]);
   const over = advance(middle, 600);
   assert.equal(verdict(over)!.outcome, "neither");
-  assert.deepEqual(rounds(over).map(({ model }) => model), [{ solved: false }]);
+  assert.deepEqual(
+    rounds(over).map(({ model }) => model),
+    [{ solved: false }],
+  );
   assert.equal(nextStep(over), "again");
 });
 
@@ -56,7 +59,10 @@ test("while the weights load, or by a choice, one drops alone", () => {
   const alone = playAt(fresh, MISSING);
   assert.deepEqual([ownersOf(alone), verdict(alone)!.outcome], [["player"], "missed"]);
   const chosen = playAt(choose(withTurn(fresh, SOLVING), { alone: true }), SOLVING);
-  assert.deepEqual([ownersOf(chosen), verdict(chosen)!.outcome, rounds(chosen)[0]!.model], [["player"], "solved", null]);
+  assert.deepEqual(
+    [ownersOf(chosen), verdict(chosen)!.outcome, rounds(chosen)[0]!.model],
+    [["player"], "solved", null],
+  );
 });
 
 test("the model's solution is played once, and then veiled until it is asked for or the person has solved", () => {

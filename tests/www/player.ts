@@ -32,7 +32,14 @@ export function puzzle(task = "00000:000"): Puzzle {
     line: line(ball, task),
     ending: { solved: solves(ball), steps: LAST, longest_touch: solves(ball) ? 180 : 30, final_touch: 0 },
     last: LAST,
-    nearest: { step: 3, gap: 6, points: [[0, 0], [6, 0]] },
+    nearest: {
+      step: 3,
+      gap: 6,
+      points: [
+        [0, 0],
+        [6, 0],
+      ],
+    },
     contact: null,
     paths: { object: Float32Array.of(0, 0), ball: Float32Array.of(0, 0) },
   });

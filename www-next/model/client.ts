@@ -68,16 +68,18 @@ export class ModelClient {
     const worker = this.#worker;
     if (!worker) return Promise.reject(new WorkerError({ code: "broken", reason: "There is no worker." }));
     const id = ++this.#lastId;
-    const { promise, resolve, reject } = Promise.withResolvers<Answer<Name>["value"]>();
-    const onAbort = () => {
-      if (!this.#pending.delete(id)) return;
-      worker.postMessage({ cancel: id });
-      reject(signal.reason);
-    };
-    this.#pending.set(id, { resolve, reject, onUpdate });
+    let onAbort = () => {};
+    const answer = new Promise<Answer<Name>["value"]>((resolve, reject) => {
+      this.#pending.set(id, { resolve, reject, onUpdate });
+      onAbort = () => {
+        if (!this.#pending.delete(id)) return;
+        worker.postMessage({ cancel: id });
+        reject(signal.reason);
+      };
+    });
     signal.addEventListener("abort", onAbort);
     worker.postMessage({ id, call, args });
-    return promise.finally(() => signal.removeEventListener("abort", onAbort));
+    return answer.finally(() => signal.removeEventListener("abort", onAbort));
   }
 
   #onMessage({ id, value, update, failure }: { id: number; value?: any; update?: any; failure?: Failure }): void {

@@ -72,7 +72,7 @@ const calls = {
   *solutions(puzzle: Puzzle, radius: number) {
     const map = new SolveMap(puzzle, radius);
     try {
-      for (let goesOn = true; goesOn; ) {
+      for (let goesOn = true; goesOn;) {
         const end = performance.now() + SLICE;
         while (goesOn && performance.now() < end) goesOn = map.advance();
         yield { radius, outcomes: map.outcomes(), progress: map.progress() };

@@ -67,6 +67,10 @@ function withControl(names: string[], shift: boolean): KeyAction | null {
 function namesOf({ key, code }: KeyFacts): string[] {
   const written = key.length === 1 ? key.toLowerCase() : key;
   if (/^\p{Script=Latin}$/u.test(written)) return [written];
-  const place = /^Key[A-Z]$/.test(code) ? code.slice(3).toLowerCase() : /^Digit\d$/.test(code) ? code.slice(5) : CODES[code];
+  const place = /^Key[A-Z]$/.test(code)
+    ? code.slice(3).toLowerCase()
+    : /^Digit\d$/.test(code)
+      ? code.slice(5)
+      : CODES[code];
   return place === undefined ? [written] : [written, place];
 }

@@ -28,8 +28,6 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
 
   on(canvas, "pointerdown", (event: PointerEvent) => {
     if (event.button !== 0) return;
-    event.preventDefault();
-    canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
     const { knob, ball } = REACH[event.pointerType] ?? REACH.mouse!;
     store.change(press, event.pointerId, pointOf(event), { knob: knob / stage.scale, ball: ball / stage.scale });

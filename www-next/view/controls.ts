@@ -48,11 +48,13 @@ function playback({ store }: App): View {
   const { run, text, speed } = state;
   const now = text.play.time(run!.step);
   return html`<div class="slider" role="group" aria-label=${text.play.playback}>
-    ${ended(state)
-      ? html`<button class="small" aria-label=${text.play.replay} @click=${() => store.change(togglePlaying)}>
-          ${icon("replay")}
-        </button>`
-      : nothing}
+    ${
+      ended(state)
+        ? html`<button class="small" aria-label=${text.play.replay} @click=${() => store.change(togglePlaying)}>
+            ${icon("replay")}
+          </button>`
+        : nothing
+    }
     <input
       type="range"
       min="0"

@@ -1,7 +1,6 @@
 // The header: which puzzle is open, the way to others, and the menu.
 
 import { html } from "lit";
-import { live } from "lit/directives/live.js";
 import { goBy, goTo } from "../actions.ts";
 import { choose } from "../core/change/kept.ts";
 import { taskOf } from "../core/derived/next.ts";
@@ -18,24 +17,27 @@ export function header(app: App): View {
     <a class="brand" href="#" aria-label=${text.page.brand}>${icon("brand")}</a>
     <nav class="picker">
       <button aria-label=${text.page.previous} @click=${() => goBy(store, -1)}>${icon("previous")}</button>
-      <h1>${text.puzzle.name(puzzle.about)}</h1>
-      <input
-        class="number"
-        size="9"
-        spellcheck="false"
-        autocomplete="off"
-        aria-label=${text.page.number}
-        .value=${live(puzzle.about.id ?? "")}
-        @change=${typed}
-      />
+      <div class="title">
+        <h1>${text.puzzle.name(puzzle.about)}</h1>
+        <input
+          class="number"
+          size="9"
+          spellcheck="false"
+          autocomplete="off"
+          aria-label=${text.page.number}
+          .value=${puzzle.about.id ?? ""}
+          @change=${typed}
+        />
+      </div>
       <button aria-label=${text.page.next} @click=${() => goBy(store, 1)}>${icon("next")}</button>
     </nav>
     ${menu(app)}
   </header>`;
 
   function typed({ target }: Event): void {
-    const { value } = target as HTMLInputElement;
-    goTo(store, taskOf(value) ?? value);
+    const field = target as HTMLInputElement;
+    goTo(store, taskOf(field.value) ?? field.value);
+    field.value = store.state.puzzle.about.id ?? "";
   }
 }
 

@@ -101,20 +101,22 @@ function check({ store }: App): View {
   return html`<div class="check">
     ${check ? nothing : html`<p>${text.play.checkHint}</p>`}
     ${checkbox(check !== null, text.play.check, () => store.change(toggleCheck))}
-    ${check
-      ? html`<label class="slider">
-            <span>${text.play.checkRadius}</span>
-            <input
-              type="range"
-              min=${MIN_RADIUS}
-              max=${MAX_RADIUS}
-              .value=${live(String(check.radius))}
-              @input=${({ target }: Event) => store.change(setCheckRadius, (target as HTMLInputElement).valueAsNumber)}
-            />
-            <output>${check.radius}</output>
-          </label>
-          <p class="quiet">${text.play.checking(found?.progress ?? 0)}</p>`
-      : nothing}
+    ${
+      check
+        ? html`<label class="slider">
+              <span>${text.play.checkRadius}</span>
+              <input
+                type="range"
+                min=${MIN_RADIUS}
+                max=${MAX_RADIUS}
+                .value=${live(String(check.radius))}
+                @input=${({ target }: Event) => store.change(setCheckRadius, (target as HTMLInputElement).valueAsNumber)}
+              />
+              <output>${check.radius}</output>
+            </label>
+            <p class="quiet">${text.play.checking(found?.progress ?? 0)}</p>`
+        : nothing
+    }
   </div>`;
 }
 
@@ -127,10 +129,7 @@ function maps({ store }: App): View {
       ${MAPS.map((name) => {
         const values = made[name];
         if (!values) return nothing;
-        return html`<button
-          aria-pressed=${route.layers.includes(name)}
-          @click=${() => store.change(toggleLayer, name)}
-        >
+        return html`<button aria-pressed=${route.layers.includes(name)} @click=${() => store.change(toggleLayer, name)}>
           ${mapPicture(name, values, isDark(store.state))}<span>${text.play.map[name]}</span>
         </button>`;
       })}

@@ -44,7 +44,12 @@ function showRound(state: State, round: number, unveiled: boolean, fresh: boolea
   const player = attempts(state)[round - 1]?.ball ?? null;
   const model = state.kept.alone ? null : modelBall(state, round, unveiled, fresh);
   const balls = [player && { ball: player, of_model: false }, model && { ball: model, of_model: true }];
-  return play(state, balls.filter((ball) => ball !== null), round, fresh);
+  return play(
+    state,
+    balls.filter((ball) => ball !== null),
+    round,
+    fresh,
+  );
 }
 
 /** The model's ball of a round. Its solution is played once; then it is veiled until the player has solved or asks. */

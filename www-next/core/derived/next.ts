@@ -13,7 +13,11 @@ export interface Benchmark {
 const HARDER = 0.8;
 
 /** The next puzzle after one; `tried`: has the person played it? */
-export function nextTask({ tasks, rates, unseen }: Benchmark, from: string | null, tried: (task: string) => boolean): string {
+export function nextTask(
+  { tasks, rates, unseen }: Benchmark,
+  from: string | null,
+  tried: (task: string) => boolean,
+): string {
   const here = from === null ? -1 : tasks.indexOf(from);
   const aim = here < 0 ? Math.max(...rates) : (rates[here] ?? 0) * HARDER;
   const distance = (index: number) => Math.abs(Math.log((rates[index]! + 1e-6) / (aim + 1e-6)));

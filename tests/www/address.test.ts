@@ -1,0 +1,27 @@
+// Links: what is written is read again, and what cannot be read is named and changes nothing.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { START } from "../../www-next/core/change/route.ts";
+import { addressOf, readAddress, writeAddress } from "../../www-next/effects/address.ts";
+import { dropAt, fresh, MISSING } from "./player.ts";
+import type { Link } from "../../www-next/core/change/route.ts";
+
+test("an address names puzzle, maps and ball, and is read as it was written", () => {
+  const link: Link = { ...START, task: "00007:008", layers: ["base", "placement"], ball: [40, 200, 12] };
+  assert.equal(writeAddress(link), "#task=00007:008&layers=base,placement&ball=40,200,12");
+  assert.deepEqual(readAddress(writeAddress(link)), { link, unread: [] });
+  assert.equal(writeAddress(START), "#");
+  assert.equal(addressOf(dropAt(fresh, MISSING)), "#task=00000:000&ball=100,100,12");
+});
+
+test("what a link has that is not understood is named, shortened, and left out", () => {
+  const { link, unread } = readAddress(`#task=00007:008&ball=1,2&layers=base,judge&x=${"y".repeat(60)}&%E0%A4%A=%E0`);
+  assert.deepEqual(link, { ...START, task: "00007:008" });
+  assert.deepEqual(unread, ["ball=1,2", "layers=base,judge", `x=${"y".repeat(37)}…`, "%E0%A4%A=%E0"]);
+});
+
+test("balls of links lie within the scene and have a radius that there is", () => {
+  for (const ball of ["256,0,12", "0,0,1", "0,0,33", "-1,0,12", "1.5,0,12", "1e2,0,12", ""])
+    assert.equal(readAddress(`#ball=${ball}`).link.ball, null, ball);
+});
