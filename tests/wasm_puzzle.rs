@@ -5,8 +5,8 @@ use js_sys::Reflect;
 use pathlight::nets::{Card, DynamicsCard, DynamicsNet, Optimiser, PathNet, PathWeights, SuccessCard};
 use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
-    Game, Model, SolutionSearch, SolveMap, attempt_line, auccess, constants, custom_scene, fold, luck, palette, raster,
-    scene, scene_problems, simulate, soft_iou, templates, verify_attempt, why_invalid,
+    Game, Model, OpenPuzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, custom_scene, fold, luck,
+    palette, raster, scene, scene_problems, simulate, soft_iou, templates, verify_attempt, why_invalid,
 };
 use serde_json::{Value, json};
 use wasm_bindgen::{JsCast, JsValue};
@@ -263,6 +263,36 @@ fn fields(value: &Value) -> Vec<String> {
     let mut fields: Vec<String> = value.as_object().expect("an object").keys().cloned().collect();
     fields.sort_unstable();
     fields
+}
+
+#[wasm_bindgen_test]
+fn an_open_puzzle_answers_what_a_script_simulates() {
+    let puzzle = OpenPuzzle::new(TASK.into()).expect("a task");
+    assert_eq!(fields(&json(puzzle.about().expect("facts"))), declared("About"));
+    let ball = json!(puzzle.nearest_place(128.0, 230.0, 8.0).expect("there is room"));
+    let rollout = |ball: &Value| puzzle.rollout(js(ball));
+    let facts = rollout(&ball).expect("a valid ball");
+    let mut names: Vec<String> =
+        js_sys::Object::keys(&facts.clone().into()).iter().filter_map(|key| key.as_string()).collect();
+    names.sort_unstable();
+    assert_eq!(names, declared("RolloutFacts"));
+    Reflect::delete_property(&facts.clone().into(), &"paths".into()).expect("an object");
+    let facts = json(facts);
+    assert_eq!(facts["line"], json(attempt_line(TASK.into(), js(&ball)).expect("a line")));
+    let simulated = json(simulate(TASK.into(), js(&ball)).expect("a rollout"));
+    assert_eq!(facts["ending"]["longest_touch"], simulated["longest_touch"]);
+    assert!(facts["last"].as_u64() <= simulated["steps"].as_u64());
+    // More balls than are kept, and the first again.
+    for x in 60..80 {
+        let _ = rollout(&json!([x, 230, 8]));
+    }
+    let again = rollout(&ball).expect("a valid ball");
+    Reflect::delete_property(&again.clone().into(), &"paths".into()).expect("an object");
+    assert_eq!(json(again), facts);
+    assert_eq!(code(rollout(&json!([2, 2, 8])).expect_err("outside")), "invalid_ball");
+    assert_eq!(code(rollout(&json!("ball")).expect_err("no ball")), "bad_data");
+    assert_eq!(json(puzzle.why_invalid(2.0, 2.0, 8.0).expect("a reason")), json!({ "kind": "outside" }));
+    assert!(json(rollout(&Value::Null).expect("the scene alone"))["contact"].is_null());
 }
 
 #[wasm_bindgen_test]

@@ -20,7 +20,7 @@ import type { Link } from "./core/change/route.ts";
 import type { Puzzle } from "./core/puzzle.ts";
 import type { State } from "./core/state.ts";
 import type { Effect } from "./core/store.ts";
-import type { ModelFiles } from "./effects/model.ts";
+import type { ModelFiles } from "./model/shared.ts";
 import type { App } from "./view/view.ts";
 
 export interface Given {
@@ -88,7 +88,8 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     // Without a step of time nothing has changed that would ask for the next frame.
     if (store.state.run?.playing) schedule();
     render(page(app), root);
-    stage.canvas.ariaLabel = description(store.state);
+    const described = description(store.state);
+    if (stage.canvas.ariaLabel !== described) stage.canvas.ariaLabel = described;
     stage.canvas.classList.toggle("taken", store.state.placement.ball !== null);
     stage.paint(store.state);
   }

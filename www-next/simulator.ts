@@ -31,7 +31,7 @@ export function openPuzzle(source: Source): Puzzle {
   const about = open.about();
   const puzzle: Puzzle = {
     source,
-    key: about.id ?? about.digest!,
+    key: about.id ?? about.digest ?? "",
     about,
     scene: about.scene,
     whyInvalid: latest((ball) => open.whyInvalid(...ball) ?? null),

@@ -202,7 +202,10 @@ fn draw_ball(
     step: f64,
     outlined: bool,
 ) -> Result<(), JsValue> {
-    if outlined && !recording.of_model && let Some(pose) = recording.pose(step, scene.body1) {
+    if outlined
+        && !recording.of_model
+        && let Some(pose) = recording.pose(step, scene.body1)
+    {
         painter.outline(&scene.bodies[scene.body1], pose, recording.line_style)?;
     }
     let (Some(ball), Some(pose)) = (recording.ball, recording.pose(step, scene.bodies.len())) else {

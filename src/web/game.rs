@@ -4,14 +4,14 @@
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::describe::invalid_reason;
+use super::describe::{about, invalid_reason};
 use super::error::{Code, error, from_js, to_js, whole_number};
 use super::paint::LineStyle;
 use super::puzzle_from_js::{load, written};
 use super::recording::Recording;
 use crate::puzzle::action::{Ball, Invalid, Obstacles};
 use crate::puzzle::nearest_place::nearest_place;
-use crate::puzzle::scene::{Body, Scene};
+use crate::puzzle::scene::Body;
 use crate::raster::trail_image;
 use crate::session::game::{self, Attempt, Author, Refused};
 use crate::session::puzzle::Puzzle;
@@ -82,16 +82,7 @@ impl Game {
     /// Returns what the puzzle is.
     #[wasm_bindgen(unchecked_return_type = "About")]
     pub fn about(&self) -> Result<JsValue, JsValue> {
-        #[derive(Serialize)]
-        struct About<'a> {
-            /// Null for a custom scene.
-            id: Option<String>,
-            /// Null for a task, and for a custom scene without one.
-            name: Option<&'a str>,
-            scene: &'a Scene,
-        }
-        let Puzzle { id, scene, .. } = &self.puzzle;
-        to_js(&About { id: id.task().map(String::from), name: self.puzzle.name(), scene })
+        about(&self.puzzle)
     }
 
     /// Returns why a ball is invalid; undefined if it is valid.

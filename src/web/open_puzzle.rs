@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use super::describe::invalid_reason;
+use super::describe::{about, invalid_reason};
 use super::error::{Code, error, from_js, to_js};
 use super::frame;
 use super::game::InvalidBall;
@@ -24,7 +24,6 @@ use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::nearest_place::nearest_place;
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::sampled_paths::SampledPaths;
-use crate::puzzle::scene::Scene;
 use crate::session::ending::Ending;
 use crate::session::moments::visible_end;
 use crate::session::puzzle::Puzzle;
@@ -67,16 +66,7 @@ impl OpenPuzzle {
     /// Returns what the puzzle is.
     #[wasm_bindgen(unchecked_return_type = "About")]
     pub fn about(&self) -> Result<JsValue, JsValue> {
-        #[derive(Serialize)]
-        struct About<'a> {
-            id: Option<String>,
-            digest: Option<String>,
-            name: Option<&'a str>,
-            scene: &'a Scene,
-        }
-        let Puzzle { id, scene, .. } = &self.puzzle;
-        let (task, digest) = (id.task().map(String::from), id.digest());
-        to_js(&About { id: task, digest, name: self.puzzle.name(), scene })
+        about(&self.puzzle)
     }
 
     /// Returns why a ball is invalid; undefined if it is valid.
@@ -155,8 +145,7 @@ impl OpenPuzzle {
             kept[index..].rotate_left(1);
         } else {
             let scene = &self.puzzle.scene;
-            let rollout =
-                simulate(scene, ball).map_err(|why| error(Code::InvalidBall, invalid_reason(why, scene)))?;
+            let rollout = simulate(scene, ball).map_err(|why| error(Code::InvalidBall, invalid_reason(why, scene)))?;
             if kept.len() == KEPT_ROLLOUTS {
                 kept.remove(0);
             }

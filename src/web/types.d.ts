@@ -220,7 +220,7 @@ export interface About {
     /** Null for a custom scene. */
     id: string | null;
     /** SHA-256 of a custom scene without its name; null for a task. */
-    digest?: string | null;
+    digest: string | null;
     /** What its maker calls it; null for a task, and for a scene without a name. */
     name: string | null;
     scene: Scene;

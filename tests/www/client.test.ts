@@ -3,34 +3,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ModelClient, WorkerError } from "../../www-next/model/client.ts";
+import { FakeWorker } from "./fake-worker.ts";
 import type { Failure } from "../../www-next/core/change/model.ts";
-
-/** A worker that answers when the test says so. */
-class FakeWorker extends EventTarget {
-  readonly received: any[] = [];
-  terminated = false;
-
-  postMessage(message: unknown): void {
-    this.received.push(message);
-  }
-
-  terminate(): void {
-    this.terminated = true;
-  }
-
-  say(data: unknown): void {
-    this.dispatchEvent(Object.assign(new Event("message"), { data }));
-  }
-}
 
 function started() {
   const workers: FakeWorker[] = [];
   const crashes: Failure[] = [];
-  const create = () => {
-    workers.push(new FakeWorker());
-    return workers.at(-1) as unknown as Worker;
-  };
-  const client = new ModelClient(create, (failure) => crashes.push(failure));
+  const client = new ModelClient(
+    () => FakeWorker.in(workers),
+    (failure) => crashes.push(failure),
+  );
   client.start();
   return { client, workers, crashes };
 }

@@ -46,7 +46,7 @@ export function puzzle(task = "00000:000"): Puzzle {
   return {
     source: task,
     key: task,
-    about: { id: task, name: null, scene },
+    about: { id: task, digest: null, name: null, scene },
     scene,
     whyInvalid: ([x]) => (x < 20 ? { kind: "outside" } : null),
     nearestPlace: ([, y, r]) => [20, y, r],

@@ -3,47 +3,29 @@
 import { answered, setModel } from "../core/change/model.ts";
 import { attempts, verdict } from "../core/derived/duel.ts";
 import { questioned } from "../core/derived/placing.ts";
-import { ModelClient, WorkerError } from "../model/client.ts";
-import models from "../../assets/model.json";
-import type { Failure } from "../core/change/model.ts";
+import { WorkerError } from "../model/client.ts";
+import { sharedModel } from "../model/shared.ts";
 import type { State } from "../core/state.ts";
 import type { Effect, Store } from "../core/store.ts";
-
-/** Where the files lie that the worker loads. */
-export interface ModelFiles {
-  readonly worker: string;
-  readonly wasm: string;
-  readonly assets: string;
-}
+import type { ModelFiles } from "../model/shared.ts";
 
 export function modelEffects(files: ModelFiles): Effect<State>[] {
-  let crashed: (failure: Failure) => void = () => {};
-  const client = new ModelClient(
-    () => new Worker(files.worker, { type: "module" }),
-    (failure) => crashed(failure),
-  );
-  const { name, file, size, sha256 } = models.models[0]!;
-  const weights = { url: new URL(file, files.assets).href, size, sha256 };
+  const model = sharedModel(files);
+  const { client } = model;
   // Searches need a worker, but no weights.
   const ifAlive = ({ model }: State, ...needs: unknown[]) =>
     model.kind === "off" || (model.kind === "failed" && model.failure.code === "crashed") ? null : needs;
   const ifReady = ({ model }: State, ...needs: unknown[]) => (model.kind === "ready" ? needs : null);
 
+  const following: Effect<State> = {
+    needs: () => [],
+    run: (store, signal) => model.follow((model) => store.change(setModel, model), signal),
+  };
+
   const loading: Effect<State> = {
     // Neither its progress nor its end begins it anew.
     needs: ({ model }) => (model.kind === "loading" ? [] : null),
-    async run(store) {
-      const fail = (failure: Failure) => store.change(setModel, { kind: "failed", failure });
-      crashed = fail;
-      client.start();
-      const onUpdate = (arrived: number) => store.change(setModel, { kind: "loading", arrived });
-      try {
-        const card = await client.call("load", [files.wasm, weights], new AbortController().signal, onUpdate);
-        store.change(setModel, { kind: "ready", name, card });
-      } catch (error) {
-        if (store.state.model.kind === "loading") fail((error as WorkerError).failure);
-      }
-    },
+    run: () => void model.start(),
   };
 
   // One ball more than has been played, so that the next drop need not wait.
@@ -96,7 +78,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       }),
   };
 
-  return [loading, turn, guess, maps, luck, solutions];
+  return [following, loading, turn, guess, maps, luck, solutions];
 }
 
 /** Keeps an answer about the open puzzle. A crash has been told already. */

@@ -18,7 +18,7 @@ export function controls(app: App): View {
   const { state } = store;
   const step = nextStep(state);
   const canDrop = state.placement.ball !== null && fault(state) === null && !attemptLimitReached(state);
-  return html`<button class="step ${step}" ?disabled=${step === "drop" && !canDrop} @click=${clicked}>
+  return html`<button class="step ${step}" aria-disabled=${step === "drop" && !canDrop} @click=${clicked}>
       ${state.text.play.step[step]}
     </button>
     ${state.run ? playback(app) : radius(app)}`;

@@ -1,0 +1,75 @@
+// One worker for all puzzles of a page that use the same files: each worker holds the weights and an instance of the
+// wasm, and a lesson may show many puzzles.
+
+import { MODEL_OFF } from "../core/change/model.ts";
+import { ModelClient, WorkerError } from "./client.ts";
+import models from "../../assets/model.json";
+import type { Model } from "../core/change/model.ts";
+
+/** Where the files lie that the worker loads. */
+export interface ModelFiles {
+  readonly worker: string;
+  readonly wasm: string;
+  readonly assets: string;
+}
+
+type Listener = (model: Model) => void;
+
+export class SharedModel {
+  readonly client: ModelClient;
+  #files: ModelFiles;
+  #model: Model = MODEL_OFF;
+  #listeners = new Set<Listener>();
+
+  constructor(files: ModelFiles, create = () => new Worker(files.worker, { type: "module" })) {
+    this.#files = files;
+    this.client = new ModelClient(create, (failure) => this.#tell({ kind: "failed", failure }));
+  }
+
+  /** Tells what becomes of the model, until the signal is aborted. With the last listener the worker ends. */
+  async follow(listener: Listener, signal: AbortSignal): Promise<void> {
+    this.#listeners.add(listener);
+    if (this.#model.kind !== "off") listener(this.#model);
+    await new Promise((resolve) => signal.addEventListener("abort", resolve));
+    this.#listeners.delete(listener);
+    if (this.#listeners.size > 0) return;
+    this.#model = MODEL_OFF;
+    this.client.stop({ code: "broken", reason: "Nobody uses the worker any more." });
+  }
+
+  /** Loads the weights, unless they are there or on their way. */
+  async start(): Promise<void> {
+    if (this.#model.kind === "loading" || this.#model.kind === "ready") return;
+    this.#tell({ kind: "loading", arrived: 0 });
+    this.client.start();
+    const { name, file, size, sha256 } = models.models[0]!;
+    const weights = { url: new URL(file, this.#files.assets).href, size, sha256 };
+    const onUpdate = (arrived: number) => this.#tell({ kind: "loading", arrived });
+    try {
+      const card = await this.client.call("load", [this.#files.wasm, weights], new AbortController().signal, onUpdate);
+      this.#tell({ kind: "ready", name, card });
+    } catch (error) {
+      // A crash has been told already, and a worker that was ended has nobody to tell.
+      if (this.#kind() === "loading") this.#tell({ kind: "failed", failure: (error as WorkerError).failure });
+    }
+  }
+
+  /** It may have changed during a call, which the compiler does not see. */
+  #kind(): Model["kind"] {
+    return this.#model.kind;
+  }
+
+  #tell(model: Model): void {
+    this.#model = model;
+    for (const listener of this.#listeners) listener(model);
+  }
+}
+
+const shared = new Map<string, SharedModel>();
+
+export function sharedModel(files: ModelFiles): SharedModel {
+  const key = Object.values(files).join();
+  const model = shared.get(key) ?? new SharedModel(files);
+  shared.set(key, model);
+  return model;
+}
