@@ -4,7 +4,7 @@
 
 import { cp, mkdir, rm } from "node:fs/promises";
 import { existsSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { context } from "esbuild";
 
@@ -21,6 +21,8 @@ const COPIES = [
   ["www-next/pkg/worker/licences.txt", "licences.txt"],
   ["assets", "assets"],
 ];
+/** Bundled one by one: no page loads two of them, and parts in common would be a further file to wait for. */
+const ENTRIES = ["main.ts", "element.ts", "model/worker.ts"];
 const RELOAD = 'new EventSource("/esbuild").addEventListener("change", () => location.reload());';
 
 /**
@@ -36,28 +38,41 @@ export function bundling() {
     // lit is installed beside the tools.
     nodePaths: [join(ROOT, "scripts", "node_modules")],
     tsconfigRaw: {},
+    loader: { ".css": "text" },
     logLevel: "warning",
   };
 }
 
-/** @param {boolean} isWatching */
+/**
+ * @param {boolean} isWatching
+ */
 async function buildPage(isWatching) {
   const missing = COPIES.map(([from]) => join(ROOT, from)).find((path) => !existsSync(path));
   if (missing) throw new Error(`${missing} is missing: scripts/build-wasm builds it`);
   await rm(OUT, { recursive: true, force: true });
   await mkdir(OUT, { recursive: true });
   for (const [from, to] of COPIES) await cp(join(ROOT, from), join(OUT, to), { recursive: true });
-  return context({
+  return Promise.all(ENTRIES.map((path) => context(entryOptions(path, isWatching))));
+}
+
+/**
+ * @param {string} path
+ * @param {boolean} isWatching
+ * @returns {import("esbuild").BuildOptions}
+ */
+function entryOptions(path, isWatching) {
+  const isPage = path === ENTRIES[0];
+  return {
     ...bundling(),
-    entryPoints: { main: join(SOURCES, "main.ts"), worker: join(SOURCES, "model/worker.ts") },
+    entryPoints: [{ in: join(SOURCES, path), out: basename(path, ".ts") }],
     outdir: OUT,
     chunkNames: "chunks/[name]-[hash]",
     splitting: true,
     minify: !isWatching,
     sourcemap: isWatching && "inline",
-    banner: isWatching ? { js: `if (globalThis.document) ${RELOAD}` } : {},
-    plugins: isWatching ? [{ name: "copies", setup: (build) => build.onStart(() => copyAgain()) }] : [],
-  });
+    banner: isWatching && isPage ? { js: RELOAD } : {},
+    plugins: isWatching && isPage ? [{ name: "copies", setup: (build) => build.onStart(copyAgain) }] : [],
+  };
 }
 
 async function copyAgain() {
@@ -67,14 +82,18 @@ async function copyAgain() {
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const isWatching = process.argv.includes("--watch");
   try {
-    const build = await buildPage(isWatching);
-    await build.rebuild();
+    const builds = await buildPage(isWatching);
+    await Promise.all(builds.map((build) => build.rebuild()));
     if (isWatching) {
-      await build.watch();
-      const { port } = await build.serve({ servedir: OUT, port: Number(process.env.PORT ?? 8080), host: "127.0.0.1" });
+      await Promise.all(builds.map((build) => build.watch()));
+      const { port } = await builds[0].serve({
+        servedir: OUT,
+        port: Number(process.env.PORT ?? 8080),
+        host: "127.0.0.1",
+      });
       console.log(`http://127.0.0.1:${port}/`);
     } else {
-      await build.dispose();
+      await Promise.all(builds.map((build) => build.dispose()));
     }
   } catch (error) {
     console.error(`error: ${/** @type {Error} */ (error).message}`);

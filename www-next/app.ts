@@ -14,7 +14,7 @@ import { Stage } from "./stage/stage.ts";
 import { loadText } from "./text/text.ts";
 import { description } from "./view/news.ts";
 import { page } from "./view/page.ts";
-import type { Kept } from "./core/change/kept.ts";
+import type { Kept, Language } from "./core/change/kept.ts";
 import type { Device } from "./core/change/settings.ts";
 import type { Link } from "./core/change/route.ts";
 import type { Puzzle } from "./core/puzzle.ts";
@@ -31,9 +31,27 @@ export interface Given {
   readonly link: Link;
   readonly puzzle: Puzzle;
   readonly kept: Kept;
-  readonly files: ModelFiles;
+  readonly files: Files;
+  /** Without the header, in a page of somebody else. */
+  readonly embedded: boolean;
+  readonly language: Language;
   /** Besides those of the model and the language. */
   readonly effects: readonly Effect<State>[];
+}
+
+/** Where the files lie that are loaded beside the scripts. */
+export interface Files extends ModelFiles {
+  readonly simulator: string;
+}
+
+export function filesAt(base: string): Files {
+  const at = (path: string) => new URL(path, base).href;
+  return {
+    simulator: at("pkg/page/pathlight_bg.wasm"),
+    wasm: at("pkg/worker/pathlight_bg.wasm"),
+    worker: at("worker.js"),
+    assets: at("assets/"),
+  };
 }
 
 /** A tab that slept goes on where it was, ms. */
@@ -45,11 +63,16 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 /** Shows a puzzle until the signal is aborted. */
 export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const { ball, ...route } = given.link;
-  const text = await loadText(given.kept.language ?? device().language);
+  const device = (): Device => ({
+    language: given.language,
+    theme: dark.matches ? "dark" : "light",
+    stillness: still.matches,
+  });
+  const text = await loadText(given.kept.language ?? given.language);
   const first = start({ ...route, task: given.puzzle.about.id }, given.puzzle, given.kept, device(), text, ball);
   const store = new Store(first, [languageEffect, ...modelEffects(given.files), ...given.effects]);
   const stage = new Stage(schedule);
-  const app = { store, canvas: stage.canvas };
+  const app = { store, canvas: stage.canvas, embedded: given.embedded };
   const root = given.root as HTMLElement;
   let frame = 0;
   /** When the frame before was, while something plays. */
@@ -95,10 +118,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   }
 }
 
-function device(): Device {
-  return {
-    language: navigator.language.startsWith("de") ? "de" : "en",
-    theme: dark.matches ? "dark" : "light",
-    stillness: still.matches,
-  };
+/** The language of a tag like "de-AT"; English for all that there are no texts for. */
+export function languageOf(tag: string): Language {
+  return /^de\b/i.test(tag) ? "de" : "en";
 }

@@ -1,32 +1,31 @@
 // The page: opens what the address names, and keeps what is played.
 
 import { follow } from "./actions.ts";
-import { mount } from "./app.ts";
+import { filesAt, languageOf, mount } from "./app.ts";
 import { setNotice } from "./core/change/settings.ts";
 import { nextTask } from "./core/derived/next.ts";
 import { addressEffect, readAddress } from "./effects/address.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
 import { documentEffect } from "./effects/language.ts";
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
+import { loadText } from "./text/text.ts";
 import type { Puzzle } from "./core/puzzle.ts";
 
-const address = (path: string) => new URL(path, document.baseURI).href;
-const files = {
-  worker: address("worker.js"),
-  wasm: address("pkg/worker/pathlight_bg.wasm"),
-  assets: address("assets/"),
-};
+const files = filesAt(document.baseURI);
 
 async function run(root: HTMLElement): Promise<void> {
   const forever = new AbortController().signal;
-  await loadSimulator(address("pkg/page/pathlight_bg.wasm"));
   const kept = readKept();
+  const language = languageOf(navigator.language);
+  // The texts come meanwhile.
+  void loadText(kept.language ?? language);
+  await loadSimulator(files.simulator);
   const { link, unread } = readAddress(location.hash);
   const named = link.task === null ? null : existing(link.task);
   const puzzle = named ?? openPuzzle(nextTask(benchmark(), null, (task) => task in kept.attempts));
-  const given = { root, keys: document, link, puzzle, kept, files };
+  const given = { root, keys: document, link, puzzle, kept, files, language };
   const effects = [addressEffect, documentEffect, keepingEffect()];
-  const { store } = await mount({ ...given, effects }, forever);
+  const { store } = await mount({ ...given, embedded: false, effects }, forever);
   listenToOtherTabs(store, forever);
   if (link.task !== null && !named) store.change(setNotice, { kind: "no_task", task: link.task });
   else if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });

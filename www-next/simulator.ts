@@ -18,8 +18,18 @@ import type { Ball, MapName, Puzzle as Source, RolloutFacts, Setup, ShownRollout
 /** Its objects are freed with the puzzles that they belong to. */
 const handles = new WeakMap<Puzzle, OpenPuzzle>();
 
-/** Throws if it cannot be loaded. */
-export async function loadSimulator(url: string): Promise<void> {
+let loading: Promise<void> | null = null;
+
+/** Loads the wasm, once for all puzzles of a page. Throws if it cannot be loaded; then it can be tried again. */
+export function loadSimulator(url: string): Promise<void> {
+  loading ??= load(url).catch((error) => {
+    loading = null;
+    throw error;
+  });
+  return loading;
+}
+
+async function load(url: string): Promise<void> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
   await init({ module_or_path: response });

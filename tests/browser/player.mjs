@@ -57,12 +57,9 @@ export async function place(page, ball, task = EASY) {
   await described(page, new RegExp(`x ${ball[0]}, y ${ball[1]}, with radius ${ball[2]}`));
 }
 
-/** Waits until the scene is described so, as a screen reader says it. */
+/** Waits until the (first) scene is described so, as a screen reader says it. */
 export async function described(page, pattern) {
-  await page.waitForFunction(
-    ([source]) => new RegExp(source).test(document.querySelector("[role=application]")?.ariaLabel ?? ""),
-    [pattern.source],
-  );
+  await page.getByRole("application", { name: pattern }).first().waitFor();
 }
 
 /** Waits until the live region says so. */

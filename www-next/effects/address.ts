@@ -33,31 +33,50 @@ const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
   },
 };
 
-/** What equals the start is left out. */
-export function writeAddress(link: Link): string {
-  const parts = Object.entries(CODECS).map(([key, codec]) => {
-    const value = link[key as keyof Link];
-    if (value === null || String(value) === String(START[key as keyof Link])) return null;
-    return `${key}=${(codec as Codec<unknown>).write(value as {})}`;
-  });
-  return `#${parts.filter((part) => part !== null).join("&")}`;
+/** The parts of a link, which are the attributes of the element too. */
+export const LINK_PARTS = Object.keys(CODECS) as (keyof Link)[];
+
+/** A part of a link as text; null if it equals the start. */
+export function writePart(link: Link, part: keyof Link): string | null {
+  const value = link[part];
+  if (value === null || String(value) === String(START[part])) return null;
+  return (CODECS[part] as Codec<unknown>).write(value);
 }
 
-/** Reads a link; `unread`: its parts that are not understood, which change nothing. */
-export function readAddress(hash: string): { link: Link; unread: string[] } {
+/** Reads parts of a link; `unread`: those that are not understood, which change nothing. */
+export function readParts(parts: Iterable<readonly [part: string, text: string]>): { link: Link; unread: string[] } {
   const link: Record<string, unknown> = { ...START };
   const unread: string[] = [];
-  for (const part of hash.replace(/^#/, "").split("&").filter(Boolean)) {
-    const [key, text] = [part.split("=", 1)[0]!, decoded(part.slice(part.indexOf("=") + 1))];
-    const value = Object.hasOwn(CODECS, key) ? CODECS[key as keyof Link].read(text) : undefined;
-    if (value === undefined) unread.push(part.length > 40 ? `${part.slice(0, 39)}…` : part);
-    else link[key] = value;
+  for (const [part, text] of parts) {
+    const value = Object.hasOwn(CODECS, part) ? CODECS[part as keyof Link].read(text) : undefined;
+    if (value === undefined) unread.push(shortened(`${part}=${text}`));
+    else link[part] = value;
   }
   return { link: link as unknown as Link, unread };
 }
 
-export function addressOf({ route, placement }: State): string {
-  return writeAddress({ ...route, ball: placement.ball });
+export function writeAddress(link: Link): string {
+  const parts = LINK_PARTS.map((part) => [part, writePart(link, part)] as const);
+  return `#${parts.flatMap(([part, text]) => (text === null ? [] : [`${part}=${text}`])).join("&")}`;
+}
+
+export function readAddress(hash: string): { link: Link; unread: string[] } {
+  const parts = hash.replace(/^#/, "").split("&").filter(Boolean);
+  return readParts(
+    parts.map((part) => {
+      const [key = "", ...text] = part.split("=");
+      return [decoded(key), decoded(text.join("="))] as const;
+    }),
+  );
+}
+
+/** The open puzzle and all that is seen of it, as a link. */
+export function linkOf({ route, placement }: State): Link {
+  return { ...route, ball: placement.ball };
+}
+
+export function addressOf(state: State): string {
+  return writeAddress(linkOf(state));
 }
 
 /** Browsers refuse an address that changes with every move of a ball, ms. */
@@ -82,6 +101,11 @@ function rested(signal: AbortSignal): Promise<void> {
     const timer = setTimeout(resolve, REST);
     signal.addEventListener("abort", () => (clearTimeout(timer), resolve()), { once: true });
   });
+}
+
+/** For a sentence: a damaged link may have thousands of characters. */
+function shortened(text: string): string {
+  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
 }
 
 function decoded(text: string): string {

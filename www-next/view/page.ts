@@ -12,8 +12,8 @@ import type { App, View } from "./view.ts";
 export function page(app: App): View {
   const { state } = app.store;
   const { text, puzzle } = state;
-  return html`
-    ${header(app)} ${notice(app)}
+  return html`<div class="app">
+    ${app.embedded ? nothing : header(app)} ${notice(app)}
     <main class="puzzle">
       <div class="goal">
         <p><strong>${text.puzzle.goal(...goal(state))}</strong></p>
@@ -25,7 +25,7 @@ export function page(app: App): View {
       <section class="side">${panels(app)}</section>
     </main>
     <p class="unseen" role="status">${announcement(state)}</p>
-  `;
+  </div>`;
 }
 
 function notice({ store }: App): View {

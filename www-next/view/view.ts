@@ -10,4 +10,6 @@ export type View = TemplateResult | typeof nothing;
 export interface App {
   readonly store: Store<State>;
   readonly canvas: HTMLCanvasElement;
+  /** In a page of somebody else. */
+  readonly embedded: boolean;
 }

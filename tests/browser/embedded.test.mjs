@@ -1,0 +1,71 @@
+// <pathlight-puzzle> in somebody's article.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { EASY, button, described, scene, startPlayer } from "./player.mjs";
+
+let session;
+before(async () => (session = await startPlayer()));
+after(() => session.stop());
+
+/** Opens an article with these elements. */
+async function openArticle(elements, options = {}) {
+  const page = await session.open("", options);
+  const body = `<!doctype html><html lang="en"><meta name="viewport" content="width=device-width">
+    <script type="module" src="element.js"></script><p>Before</p>${elements}<p style="height: 200vh">After</p></html>`;
+  await page.route(/article/, (route) => route.fulfill({ contentType: "text/html", body }));
+  await page.goto(`${session.origin}/article`);
+  await scene(page).first().waitFor();
+  return page;
+}
+
+test("its attributes say what is shown, and follow the person", async () => {
+  const page = await openArticle(`<pathlight-puzzle task="${EASY}" ball="128,120,9"></pathlight-puzzle>`);
+  const element = page.locator("pathlight-puzzle");
+  await described(page, /x 128, y 120, with radius 9/);
+  await scene(page).focus();
+  await page.keyboard.press("ArrowLeft");
+  await described(page, /x 127/);
+  assert.equal(await element.getAttribute("ball"), "127,120,9");
+  await element.evaluate((one) => one.setAttribute("ball", "60,120,12"));
+  await described(page, /x 60, y 120, with radius 12/);
+  await element.evaluate((one) => one.setAttribute("task", "00007:008"));
+  await described(page, /Click or tap the scene/);
+  assert.equal(await element.getAttribute("ball"), null);
+});
+
+test("the wheel scrolls the article until the scene has the focus", async () => {
+  const page = await openArticle(`<pathlight-puzzle task="${EASY}" ball="128,120,9"></pathlight-puzzle>`);
+  await scene(page).hover();
+  await page.mouse.wheel(0, 120);
+  await page.waitForFunction(() => scrollY > 0);
+  await described(page, /radius 9/);
+});
+
+test("on a phone in landscape the whole scene is seen, and a swipe scrolls until it has been tapped", async () => {
+  const page = await openArticle(`<pathlight-puzzle task="${EASY}"></pathlight-puzzle>`, {
+    viewport: { width: 640, height: 360 },
+    hasTouch: true,
+  });
+  const { height } = await scene(page).boundingBox();
+  assert.ok(height < 360, `${height}`);
+  const touchAction = () => scene(page).evaluate((canvas) => getComputedStyle(canvas).touchAction);
+  assert.equal(await touchAction(), "pan-y");
+  await scene(page).tap();
+  await described(page, /Your ball is at/);
+  assert.equal(await touchAction(), "none");
+});
+
+test("several puzzles share one worker, which ends with the last; one that is moved keeps its ball", async () => {
+  const puzzle = `<pathlight-puzzle task="${EASY}" ball="128,120,9"></pathlight-puzzle>`;
+  const page = await openArticle(puzzle + puzzle);
+  await page.getByRole("heading", { name: "What the model imagines" }).nth(1).waitFor();
+  assert.equal(page.workers().length, 1);
+  await page.evaluate(() => document.body.append(document.querySelector("pathlight-puzzle")));
+  await described(page, /x 128, y 120, with radius 9/);
+  const ended = page.workers()[0].waitForEvent("close");
+  await page.evaluate(() => document.querySelectorAll("pathlight-puzzle").forEach((one) => one.remove()));
+  await ended;
+  await page.evaluate((html) => document.body.insertAdjacentHTML("afterbegin", html), puzzle);
+  await button(page, "Drop it").waitFor();
+});
