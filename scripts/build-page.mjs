@@ -35,7 +35,7 @@ export function bundling() {
     bundle: true,
     format: "esm",
     target: "es2022",
-    // lit is installed beside the tools.
+    // lit-html is installed beside the tools.
     nodePaths: [join(ROOT, "scripts", "node_modules")],
     tsconfigRaw: {},
     loader: { ".css": "text" },

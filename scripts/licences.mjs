@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 /** The packages of npm that are served; their files lie beside the other tools of the build. */
-const NPM = ["lean-qr"];
+const NPM = ["lean-qr", "lit-html"];
 
 /** @typedef {{ name: string, version: string, licence: string, texts: string[] }} Part */
 

@@ -1,7 +1,7 @@
 // Puts a puzzle together: the store with its effects, the scene, and one frame loop, in which time passes, the document
 // is rendered and the scene is painted.
 
-import { render } from "lit";
+import { render } from "lit-html";
 import { startModel } from "./core/change/model.ts";
 import { advance } from "./core/change/run.ts";
 import { setDevice } from "./core/change/settings.ts";

@@ -1,7 +1,7 @@
 // Under the scene: the one large button, and beside it the radius while the ball is placed, playback while it runs.
 
-import { html, nothing } from "lit";
-import { live } from "lit/directives/live.js";
+import { html, nothing } from "lit-html";
+import { live } from "lit-html/directives/live.js";
 import { takeNextStep } from "../actions.ts";
 import { FIRST_RADIUS, resize } from "../core/change/placement.ts";
 import { SPEEDS, seek, setSpeed, togglePlaying } from "../core/change/run.ts";

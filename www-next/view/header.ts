@@ -1,6 +1,6 @@
 // The header: which puzzle is open, the way to others, and the menu.
 
-import { html } from "lit";
+import { html } from "lit-html";
 import { goBy, goTo } from "../actions.ts";
 import { choose } from "../core/change/kept.ts";
 import { taskOf } from "../core/derived/next.ts";

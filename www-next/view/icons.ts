@@ -1,6 +1,6 @@
 // The icons of the page, drawn in the colour of the text.
 
-import { svg, html } from "lit";
+import { svg, html } from "lit-html";
 import type { View } from "./view.ts";
 
 const ICONS = {

@@ -1,6 +1,6 @@
 // What there is to say now: the ball's place, the verdict of a round.
 
-import { html, nothing } from "lit";
+import { html, nothing } from "lit-html";
 import { show } from "../core/change/run.ts";
 import { attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
 import { fault, goal } from "../core/derived/placing.ts";

@@ -1,6 +1,6 @@
 // A puzzle as a whole: header, notice, scene with its controls, verdict and panels.
 
-import { html, nothing } from "lit";
+import { html, nothing } from "lit-html";
 import { setNotice } from "../core/change/settings.ts";
 import { goal } from "../core/derived/placing.ts";
 import { controls } from "./controls.ts";

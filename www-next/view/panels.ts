@@ -1,6 +1,6 @@
 // The panels beside the scene. To add one: name it in core/change/route.ts, and here.
 
-import { html, nothing } from "lit";
+import { html, nothing } from "lit-html";
 import { PANELS, openPanel } from "../core/change/route.ts";
 import { play } from "./play.ts";
 import type { Panel } from "../core/change/route.ts";

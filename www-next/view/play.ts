@@ -1,7 +1,7 @@
 // The panel Play: the duel so far, the model and its maps, and the check.
 
-import { html, nothing } from "lit";
-import { live } from "lit/directives/live.js";
+import { html, nothing } from "lit-html";
+import { live } from "lit-html/directives/live.js";
 import { setCheckRadius, toggleCheck } from "../core/change/check.ts";
 import { choose } from "../core/change/kept.ts";
 import { startModel } from "../core/change/model.ts";

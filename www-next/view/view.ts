@@ -1,6 +1,6 @@
 // What every view is: a function of the state to a template. It has the store for what its controls ask for.
 
-import type { TemplateResult, nothing } from "lit";
+import type { TemplateResult, nothing } from "lit-html";
 import type { State } from "../core/state.ts";
 import type { Store } from "../core/store.ts";
 
