@@ -1,37 +1,48 @@
-// Checks that no part of dist/ has grown unseen: node scripts/check-sizes.mjs (`make dist` builds it). Whoever makes a
-// part larger on purpose raises its limit here.
+// Checks that no part of the page has grown unseen: node scripts/check-sizes.mjs (`make dist` and scripts/build-page.mjs
+// build it). Whoever makes a part larger on purpose raises its limit here.
 
+import { existsSync } from "node:fs";
 import { readFile, readdir } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { brotliCompressSync } from "node:zlib";
 
-const DIST = join(dirname(fileURLToPath(import.meta.url)), "..", "dist");
+const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
+const DIST = join(ROOT, "dist");
+const NEXT = join(ROOT, "target", "page-next");
 
 /** Most kB of the files of a part, together: as they are, and compressed by brotli. */
 const LIMITS = [
-  { part: "wasm", files: /\.wasm$/, raw: 3300, br: 580 },
+  { folder: DIST, part: "wasm", files: /\.wasm$/, raw: 3300, br: 580 },
   // With the words in both languages, of which a person loads one.
-  { part: "scripts", files: /\.js$/, raw: 445, br: 132 },
-  { part: "styles", files: /\.css$/, raw: 53, br: 13 },
-  { part: "weights within-0", files: /within-0-\w+\.safetensors$/, raw: 3720, br: 3000 },
-  { part: "weights cross-0", files: /cross-0-\w+\.safetensors$/, raw: 3720, br: 3050 },
+  { folder: DIST, part: "scripts", files: /\.js$/, raw: 445, br: 132 },
+  { folder: DIST, part: "styles", files: /\.css$/, raw: 53, br: 13 },
+  { folder: DIST, part: "weights within-0", files: /within-0-\w+\.safetensors$/, raw: 3720, br: 3000 },
+  { folder: DIST, part: "weights cross-0", files: /cross-0-\w+\.safetensors$/, raw: 3720, br: 3050 },
+  { folder: NEXT, part: "next page's wasm", files: /page\/\w+\.wasm$/, raw: 1000, br: 260 },
+  { folder: NEXT, part: "next page's scripts", files: /^(main|worker|chunks.[\w-]+)\.js$/, raw: 200, br: 60 },
 ];
 
 /**
- * The size of some files of dist/, kB.
+ * The size of some files, kB.
  * @param {string[]} paths
+ * @param {(path: string) => Promise<Buffer>} read
  */
-async function sizeOf(paths) {
-  const contents = await Promise.all(paths.map((path) => readFile(join(DIST, path))));
+async function sizeOf(paths, read) {
+  const contents = await Promise.all(paths.map(read));
   return contents.reduce((sum, { length }) => sum + length, 0) / 1000;
 }
 
-const all = await readdir(DIST, { recursive: true });
-for (const { part, files, raw, br } of LIMITS) {
-  const paths = all.filter((path) => files.test(path));
+/** @param {string} path */
+const compressed = async (path) =>
+  existsSync(`${path}.br`) ? readFile(`${path}.br`) : brotliCompressSync(await readFile(path));
+
+for (const { folder, part, files, raw, br } of LIMITS) {
+  const all = await readdir(folder, { recursive: true });
+  const paths = all.filter((path) => files.test(path)).map((path) => join(folder, path));
   const sizes = [
-    { form: "as it is", size: await sizeOf(paths), limit: raw },
-    { form: "compressed", size: await sizeOf(paths.map((path) => `${path}.br`)), limit: br },
+    { form: "as it is", size: await sizeOf(paths, (path) => readFile(path)), limit: raw },
+    { form: "compressed", size: await sizeOf(paths, compressed), limit: br },
   ];
   for (const { form, size, limit } of sizes) {
     const isRight = paths.length > 0 && size <= limit;

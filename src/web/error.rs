@@ -18,8 +18,10 @@ pub(crate) enum Code {
     /// A map of an unknown name or of a wrong size.
     BadMap,
     /// Not weights of these nets.
+    #[cfg(feature = "nets")]
     BadWeights,
     /// Not a memory of attempts that this version and these weights can use.
+    #[cfg(feature = "nets")]
     BadMemory,
     /// An invalid ball.
     InvalidBall,
@@ -39,7 +41,9 @@ impl Code {
             Code::BadTask => "bad_task",
             Code::BadScene => "bad_scene",
             Code::BadMap => "bad_map",
+            #[cfg(feature = "nets")]
             Code::BadWeights => "bad_weights",
+            #[cfg(feature = "nets")]
             Code::BadMemory => "bad_memory",
             Code::InvalidBall => "invalid_ball",
             Code::AttemptLimit => "attempt_limit",

@@ -153,6 +153,23 @@ test("without the model's file one plays alone, and can load it again", async ()
   assert.ok(session.problems.splice(0).every((problem) => problem.includes("404")));
 });
 
+test("what a browser takes away comes back: the picture of the scene, and a model that failed", async () => {
+  const page = await session.open("", STILL);
+  await page.route(/safetensors/, (route) => route.abort());
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  await page.getByText("No connection").waitFor();
+  await scene(page).evaluate((canvas) => {
+    canvas.getContext("2d").clearRect(0, 0, canvas.width, canvas.height);
+    canvas.dispatchEvent(new Event("contextrestored"));
+  });
+  const isPainted = (canvas) => canvas.getContext("2d").getImageData(2, 2, 1, 1).data[3] === 255;
+  for (let painted = false; !painted;) painted = await scene(page).evaluate(isPainted);
+  await page.unroute(/safetensors/);
+  await page.evaluate(() => dispatchEvent(new PageTransitionEvent("pageshow", { persisted: true })));
+  await modelIsThere(page);
+  assert.ok(session.problems.splice(0).every((problem) => problem.includes("safetensors")));
+});
+
 test("a puzzle is opened by its number; one that there is not is said", async () => {
   const page = await openPuzzle(session);
   const number = page.getByRole("textbox", { name: "Number of the puzzle" });

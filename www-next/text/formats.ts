@@ -1,5 +1,13 @@
 // Numbers and units as a language writes them.
 
+import { GOAL_STEPS, STEPS_PER_SECOND } from "../pkg/constants.ts";
+
+/** How long the green object has to touch its goal, s. */
+export const GOAL_SECONDS = GOAL_STEPS / STEPS_PER_SECOND;
+
+/** Simulated time, s. */
+export const secondsOf = (steps: number) => steps / STEPS_PER_SECOND;
+
 export function formatsOf(language: string) {
   const number = (value: number, decimals = 0) =>
     new Intl.NumberFormat(language, { minimumFractionDigits: decimals, maximumFractionDigits: decimals }).format(value);

@@ -1,6 +1,7 @@
 // Playing: placing and dropping the ball, the duel and its verdict, the list of attempts, maps and the check.
 
-import { formatsOf } from "../formats.ts";
+import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
+import { GOAL_SECONDS, formatsOf, secondsOf } from "../formats.ts";
 import { widthsIn } from "../widths.ts";
 import type { Outcome } from "../../core/derived/duel.ts";
 import type { Text } from "../text.ts";
@@ -33,12 +34,12 @@ export const play: Text["play"] = {
   placeFirst: "Klick oder tipp in die Szene, um deine rote Kugel zu setzen. Danach fasst niemand mehr etwas an.",
   ready: "Bereit. Lass sie fallen!",
   running: "Jetzt fasst niemand mehr etwas an.",
-  full: "Du hast alle 100 Kugeln dieses Rätsels verbraucht.",
+  full: `Du hast alle ${ATTEMPT_LIMIT} Kugeln dieses Rätsels verbraucht.`,
 
   verdict: ({ outcome, round, modelAt }) => OUTCOMES[outcome](round, modelAt),
   miss: ({ facts: { ending, nearest }, radius }) =>
     ending.longest_touch > 0
-      ? `Grün hat das Ziel ${seconds(ending.longest_touch / 60)} lang berührt, 3 wären nötig.`
+      ? `Grün hat das Ziel ${seconds(secondsOf(ending.longest_touch))} lang berührt, ${GOAL_SECONDS} wären nötig.`
       : `Grün hat das Ziel um ${balls(nearest.gap, radius)} verfehlt.`,
   guessed: (chance, off, radius) =>
     `Das Modell gab deiner Kugel ${chance < 0.01 ? "unter 1 %" : percent(chance)}; ` +
@@ -55,7 +56,7 @@ export const play: Text["play"] = {
   moment: "Zeitpunkt",
   speed: "Tempo",
   times: (speed) => (speed === 0.25 ? "¼×" : `${speed}×`),
-  time: (steps) => seconds(steps / 60),
+  time: (steps) => seconds(secondsOf(steps)),
   replay: "Noch einmal abspielen",
 
   radius: "Radius",

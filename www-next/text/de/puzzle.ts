@@ -1,6 +1,7 @@
 // Puzzles: their names, goals and bodies.
 
-import { formatsOf } from "../formats.ts";
+import { MAX_RADIUS, MIN_RADIUS } from "../../pkg/constants.ts";
+import { GOAL_SECONDS, formatsOf } from "../formats.ts";
 import type { Text } from "../text.ts";
 import type { Body } from "../../pkg/page/pathlight.js";
 
@@ -157,7 +158,7 @@ export const puzzle: Text["puzzle"] = {
   name: ({ id, name }) => (id ? KINDS[id.slice(0, 5)]!.name : (name ?? "Eigenes Rätsel")),
   instructions: ({ id }) => (id ? KINDS[id.slice(0, 5)]!.story : "Diese Szene hat jemand selbst gebaut."),
   goal: (object, target) =>
-    `${upper(theBody(object))} ${object.shape === "standing_sticks" ? "sollen" : "soll"} 3 Sekunden lang ` +
+    `${upper(theBody(object))} ${object.shape === "standing_sticks" ? "sollen" : "soll"} ${GOAL_SECONDS} Sekunden lang ` +
     `${theBody(target, "accusative")} berühren.`,
   body: theBody,
   scene: (object, target, others) =>
@@ -169,5 +170,5 @@ export const puzzle: Text["puzzle"] = {
       ? `Hier nicht: Die Kugel überlappt ${theBody(bodies[fault.body]!, "accusative")}.`
       : fault.kind === "outside"
         ? "Hier nicht: zu nah am Rand."
-        : "Der Radius der Kugel ist 2 bis 32.",
+        : `Der Radius der Kugel ist ${MIN_RADIUS} bis ${MAX_RADIUS}.`,
 };

@@ -1,6 +1,7 @@
 // Playing: placing and dropping the ball, the duel and its verdict, the list of attempts, maps and the check.
 
-import { formatsOf } from "../formats.ts";
+import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
+import { GOAL_SECONDS, formatsOf, secondsOf } from "../formats.ts";
 import { widthsIn } from "../widths.ts";
 import type { Outcome, Verdict } from "../../core/derived/duel.ts";
 import type { MapName } from "../../pkg/page/pathlight.js";
@@ -33,13 +34,13 @@ export const play = {
   placeFirst: "Click or tap the scene to place your red ball. Nobody touches anything after that.",
   ready: "Ready. Drop it!",
   running: "Now nobody touches anything.",
-  full: "You have used all 100 balls of this puzzle.",
+  full: `You have used all ${ATTEMPT_LIMIT} balls of this puzzle.`,
 
   verdict: ({ outcome, round, modelAt }: Verdict) => OUTCOMES[outcome](round, modelAt),
   /** What became of a miss. */
   miss: ({ facts: { ending, nearest }, radius }: Verdict) =>
     ending.longest_touch > 0
-      ? `Green touched the goal for ${seconds(ending.longest_touch / 60)} of 3.`
+      ? `Green touched the goal for ${seconds(secondsOf(ending.longest_touch))} of ${GOAL_SECONDS}.`
       : `Green missed the goal by ${balls(nearest.gap, radius)}.`,
   guessed: (chance: number, off: number, radius: number) =>
     `The model gave your ball ${chance < 0.01 ? "under 1%" : percent(chance)}; its guess was ${balls(off, radius)} off.`,
@@ -55,7 +56,7 @@ export const play = {
   moment: "Moment",
   speed: "Speed",
   times: (speed: number) => (speed === 0.25 ? "¼×" : `${speed}×`),
-  time: (steps: number) => seconds(steps / 60),
+  time: (steps: number) => seconds(secondsOf(steps)),
   replay: "Play it again",
 
   radius: "Radius",

@@ -1,7 +1,7 @@
 // Puzzles: their names, goals and bodies.
 
-import { TEMPLATES } from "../../pkg/constants.ts";
-import { formatsOf } from "../formats.ts";
+import { MAX_RADIUS, MIN_RADIUS, TEMPLATES } from "../../pkg/constants.ts";
+import { GOAL_SECONDS, formatsOf } from "../formats.ts";
 import type { About, Body, InvalidBall } from "../../pkg/page/pathlight.js";
 
 const { number } = formatsOf("en-GB");
@@ -20,7 +20,8 @@ export const puzzle = {
   name: ({ id, name }: About) => (id ? kinds.get(id.slice(0, 5))!.name : (name ?? "Custom puzzle")),
   /** What happens in it, and what to do. */
   instructions: ({ id }: About) => (id ? kinds.get(id.slice(0, 5))!.story : "Somebody made this scene."),
-  goal: (object: Body, target: Body) => `Get the ${body(object)} to touch the ${body(target)} for 3 seconds.`,
+  goal: (object: Body, target: Body) =>
+    `Get the ${body(object)} to touch the ${body(target)} for ${GOAL_SECONDS} seconds.`,
   body,
   scene: (object: Body, target: Body, others: readonly Body[]) =>
     `256 by 256, y is up. The ${placed(object)}; the goal is the ${placed(target)}. ` +
@@ -31,5 +32,5 @@ export const puzzle = {
       ? `Not here: the ball overlaps the ${body(bodies[fault.body]!)}.`
       : fault.kind === "outside"
         ? "Not here: too close to the edge."
-        : "The radius of the ball is 2 to 32.",
+        : `The radius of the ball is ${MIN_RADIUS} to ${MAX_RADIUS}.`,
 };
