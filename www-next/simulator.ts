@@ -1,14 +1,6 @@
 // The page's wasm: it simulates and paints, and knows no nets. The only user of pkg/page.
 
-import init, {
-  OpenPuzzle,
-  fold,
-  paintLegend,
-  paintMap,
-  paintOutcomes,
-  paintThumbnail,
-  solveRates,
-} from "./pkg/page/pathlight.js";
+import init, { OpenPuzzle, fold, paintMap, paintOutcomes, solveRates } from "./pkg/page/pathlight.js";
 import { GRID_SIDE, SCENE_SIZE, TEMPLATES } from "./pkg/constants.ts";
 import models from "../assets/model.json";
 import type { Puzzle } from "./core/puzzle.ts";
@@ -62,10 +54,6 @@ export function paint(
   handles.get(puzzle)!.paint(context, [...rollouts], view, maps);
 }
 
-export function paintTask(canvas: HTMLCanvasElement, source: Source, dark: boolean): void {
-  paintThumbnail(canvas.getContext("2d")!, source, dark);
-}
-
 /** A map as a picture, painted once. Its opacity is that of the values, so that what is unsure looks so. */
 export function mapPicture(name: MapName, values: Float32Array, dark: boolean): HTMLCanvasElement {
   return picture(values, dark, GRID_SIDE, (context) => paintMap(context, name, values, 1, dark));
@@ -73,10 +61,6 @@ export function mapPicture(name: MapName, values: Float32Array, dark: boolean): 
 
 export function outcomesPicture(outcomes: Uint8Array, dark: boolean): HTMLCanvasElement {
   return picture(outcomes, dark, SCENE_SIZE, (context) => paintOutcomes(context, outcomes, dark));
-}
-
-export function legendPicture(name: MapName, dark: boolean): HTMLCanvasElement {
-  return drawn(120, 6, (context) => paintLegend(context, name, dark));
 }
 
 let known: Benchmark | null = null;
@@ -100,15 +84,14 @@ function picture(
 ): HTMLCanvasElement {
   const made = pictures.get(values) ?? new Map<boolean, HTMLCanvasElement>();
   pictures.set(values, made);
-  const canvas = made.get(dark) ?? drawn(side, side, draw);
+  const canvas = made.get(dark) ?? drawn(side, draw);
   made.set(dark, canvas);
   return canvas;
 }
 
-function drawn(width: number, height: number, draw: (context: CanvasRenderingContext2D) => void): HTMLCanvasElement {
+function drawn(side: number, draw: (context: CanvasRenderingContext2D) => void): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
-  canvas.width = width;
-  canvas.height = height;
+  canvas.width = canvas.height = side;
   draw(canvas.getContext("2d")!);
   return canvas;
 }

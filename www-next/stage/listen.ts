@@ -1,11 +1,12 @@
 // Pointer, wheel and keys, as changes of the state. Decides nothing itself.
 
 import { goBy, takeNextStep } from "../actions.ts";
-import { cancel, drag, nudge, press, redo, release, undo } from "../core/change/placement.ts";
+import { redo, undo } from "../core/change/placement.ts";
 import { PANELS, openPanel } from "../core/change/route.ts";
 import { again, stepBy, togglePlaying } from "../core/change/run.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
 import { keyAction } from "./keys.ts";
+import { toolOf } from "./tools.ts";
 import { wheelSteps } from "./wheel.ts";
 import type { Point } from "../core/change/placement.ts";
 import type { State } from "../core/state.ts";
@@ -23,6 +24,7 @@ const REACH: Record<string, { knob: number; ball: number }> = {
 /** Listens until the signal is aborted; `around`: where keys are heard that are not the scene's alone. */
 export function listen(stage: Stage, around: EventTarget, store: Store<State>, signal: AbortSignal): void {
   const { canvas } = stage;
+  const tool = () => toolOf(store.state);
   let keyPresses = 0;
   let wheelRest = 0;
 
@@ -30,11 +32,12 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
     if (event.button !== 0) return;
     canvas.setPointerCapture(event.pointerId);
     const { knob, ball } = REACH[event.pointerType] ?? REACH.mouse!;
-    store.change(press, event.pointerId, pointOf(event), { knob: knob / stage.scale, ball: ball / stage.scale });
+    const reach = { knob: knob / stage.scale, ball: ball / stage.scale };
+    store.change(tool().press, event.pointerId, pointOf(event), reach);
   });
-  on(canvas, "pointermove", (event: PointerEvent) => store.change(drag, event.pointerId, pointOf(event)));
-  on(canvas, "pointerup", (event: PointerEvent) => store.change(release, event.pointerId));
-  on(canvas, "pointercancel", (event: PointerEvent) => store.change(cancel, event.pointerId));
+  on(canvas, "pointermove", (event: PointerEvent) => store.change(tool().drag, event.pointerId, pointOf(event)));
+  on(canvas, "pointerup", (event: PointerEvent) => store.change(tool().release, event.pointerId));
+  on(canvas, "pointercancel", (event: PointerEvent) => store.change(tool().cancel, event.pointerId));
 
   on(canvas, "wheel", (event: WheelEvent) => {
     // The wheel is the page's, unless the person is busy with the ball; with Ctrl it zooms.
@@ -42,7 +45,7 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
     event.preventDefault();
     const [steps, rest] = wheelSteps(wheelRest, event);
     wheelRest = rest;
-    if (steps) store.change(nudge, 0, 0, steps, "wheel");
+    if (steps) store.change(tool().nudge, 0, 0, steps, "wheel");
   });
 
   on(canvas, "keydown", (event: KeyboardEvent) => {
@@ -50,8 +53,8 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
     if (!action) return;
     // A key that is held down is one gesture.
     if (!event.repeat) keyPresses += 1;
-    if (action.kind === "move") store.change(nudge, action.dx, action.dy, 0, `key ${keyPresses}`);
-    else if (action.kind === "resize") store.change(nudge, 0, 0, action.dr, `key ${keyPresses}`);
+    if (action.kind === "move") store.change(tool().nudge, action.dx, action.dy, 0, `key ${keyPresses}`);
+    else if (action.kind === "resize") store.change(tool().nudge, 0, 0, action.dr, `key ${keyPresses}`);
     else if (action.kind !== "next") return;
     else if (!event.repeat) takeNextStep(store);
     event.preventDefault();

@@ -4,6 +4,7 @@ import { html, nothing } from "lit-html";
 import { show } from "../core/change/run.ts";
 import { attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
 import { fault, goal } from "../core/derived/placing.ts";
+import { ended } from "../core/derived/run.ts";
 import type { Verdict } from "../core/derived/duel.ts";
 import type { State } from "../core/state.ts";
 import type { App, View } from "./view.ts";
@@ -36,7 +37,7 @@ export function description({ puzzle, placement, text, ...state }: State): strin
 function hint(state: State): string {
   const { text, puzzle, placement, run } = state;
   const wrong = fault(state);
-  if (run) return text.play.running;
+  if (run) return ended(state) ? "" : text.play.running;
   if (wrong) return text.puzzle.fault(wrong, puzzle.scene.bodies);
   if (attemptLimitReached(state)) return text.play.full;
   return placement.ball ? text.play.ready : text.play.placeFirst;
