@@ -244,7 +244,7 @@ export interface RolloutFacts {
     last: number;
     nearest: ClosestApproach;
     /** When and where the ball first touches the green object. */
-    contact: { step: number; point: [x: number, y: number] } | null;
+    contact: Contact | null;
     /** Where object and ball really were after the steps of an `ImaginedBall`; null without a ball. */
     paths: Pick<ImaginedBall, "object" | "ball"> | null;
 }
