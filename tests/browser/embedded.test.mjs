@@ -61,7 +61,7 @@ test("several puzzles share one worker, which ends with the last; one that is mo
   const page = await openArticle(puzzle + puzzle);
   await page.getByRole("heading", { name: "What the model imagines" }).nth(1).waitFor();
   assert.equal(page.workers().length, 1);
-  await page.evaluate(() => document.body.append(document.querySelector("pathlight-puzzle")));
+  await page.evaluate(() => document.body.append(document.getElementsByTagName("pathlight-puzzle")[0]));
   await described(page, /x 128, y 120, with radius 9/);
   const ended = page.workers()[0].waitForEvent("close");
   await page.evaluate(() => document.querySelectorAll("pathlight-puzzle").forEach((one) => one.remove()));

@@ -25,18 +25,25 @@ export async function openPuzzle(session, link = `#task=${EASY}`, options = {}) 
   return page;
 }
 
-/** Balls of a task by what becomes of them. */
+/** @typedef {import("../../www-next/pkg/page/pathlight.js").Ball} Ball */
+
+/**
+ * Balls of a task by what becomes of them.
+ * @returns {Promise<{ solving: Ball, missing: Ball[], invalid: Ball }>}
+ */
 export async function known(task = EASY) {
   initSync({ module: await readFile(join(ROOT, "www-next/pkg/page/pathlight_bg.wasm")) });
   const puzzle = new OpenPuzzle(task);
-  const found = { solving: null, missing: [], invalid: null };
+  /** @type {{ solving?: Ball, missing: Ball[], invalid?: Ball }} */
+  const found = { missing: [] };
   for (let r = 8; r <= 24; r += 8)
     for (let y = 250; y > 0; y -= 12)
       for (let x = 4; x < 256; x += 8) {
         if (puzzle.whyInvalid(x, y, r)) found.invalid ??= [x, y, r];
         else if (puzzle.rollout([x, y, r]).ending.solved) found.solving ??= [x, y, r];
         else if (found.missing.length < 4) found.missing.push([x, y, r]);
-        if (found.solving && found.invalid && found.missing.length === 4) return found;
+        const { solving, missing, invalid } = found;
+        if (solving && invalid && missing.length === 4) return { solving, missing, invalid };
       }
   throw new Error(`the grid has not all kinds of balls in ${task}`);
 }
