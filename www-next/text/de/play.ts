@@ -84,7 +84,7 @@ export const play: Text["play"] = {
   check: "Alle Plätze zeigen, die gehen",
   checkHint: "Dreimal verfehlt: Möchtest du sehen, wo eine Kugel geht?",
   checkRadius: "Radius der Kugeln",
-  checking: (progress) => `${percent(progress)} probiert`,
+  checking: (progress) => `${percent(progress)} probiert. Gelb: geht. Gestreift: kein Platz für die Kugel.`,
 
   practised: "Achtung: Genau dieses Rätsel hat das Modell geübt.",
   unseen: "Das Modell kennt diese Art, aber nicht dieses Rätsel.",

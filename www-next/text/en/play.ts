@@ -85,7 +85,7 @@ export const play = {
   check: "Show every place that works",
   checkHint: "Three misses: would you like to see where a ball works?",
   checkRadius: "Radius of the balls",
-  checking: (progress: number) => `${percent(progress)} tried`,
+  checking: (progress: number) => `${percent(progress)} tried. Yellow: works. Striped: no room for the ball.`,
 
   practised: "Careful: the model trained on this very puzzle.",
   unseen: "The model has practised puzzles of this kind, but not this one.",
