@@ -188,6 +188,7 @@ fn a_memory_that_cannot_be_used_is_refused_and_changes_nothing() {
         ("{".to_string(), Some("w"), "damaged"),
         (json[..json.len() / 2].to_string(), Some("w"), "damaged"),
         (damaged("\"version\":1", "\"version\":2"), Some("w"), "format 2"),
+        (damaged("\"forgotten\":0", "\"forgotten\":4294967295"), Some("w"), "4294967295 puzzles"),
         (json.clone(), Some("x"), "other weights"),
         (json.clone(), None, "other weights"),
         (damaged("00002:007", "00002:999"), Some("w"), "puzzle 1"),

@@ -24,6 +24,7 @@ use pathlight_lab::data::solutions::TaskSolutions;
 use pathlight_lab::files::journal::{self, Entry};
 use serde_json::Value;
 
+use commands::json_lines::{Lines, MAX_LINE, parse};
 use commands::simulate::start::{Place, Request};
 
 mod any_scene;
@@ -103,9 +104,10 @@ pub fn task(bytes: &[u8]) {
 
 /// Lines of `pathlight simulate --batch`.
 pub fn batch(bytes: &[u8]) {
-    for line in bytes.split(|&byte| byte == b'\n').take(4) {
-        let request = serde_json::from_slice::<Request>(line).inspect_err(says_why);
-        let Ok(Request { place, start }) = request else { continue };
+    for line in Lines::new(bytes, MAX_LINE).take(4) {
+        let text = line.map_err(Into::into).and_then(|line| line.text);
+        let request = text.and_then(|text| parse::<Request>(&text, "write another"));
+        let Ok(Request { place, start }) = request.inspect_err(says_why) else { continue };
         let puzzle = match place {
             Place::Task(task) => Task::load(task).map(Puzzle::from).map_err(|why| why.to_string()),
             Place::Scene(scene) => Puzzle::read(scene).map_err(|problems| sentences(&problems)),
@@ -138,8 +140,8 @@ pub fn labels(bytes: &[u8]) {
 /// Lines that `pathlight agent` is told.
 pub fn agent(bytes: &[u8]) {
     use commands::agent::lines::{Begun, Line, MAX_LINE};
-    for line in commands::json_lines::Lines::new(bytes, MAX_LINE) {
-        match line.expect("bytes are read").text.and_then(|text| Line::parse(&text)) {
+    for line in Lines::new(bytes, MAX_LINE) {
+        match line.map_err(Into::into).and_then(|line| line.text).and_then(|text| Line::parse(&text)) {
             Ok(Line::Begin { puzzle: Begun::Scene(scene), .. }) => look_at(&scene),
             Ok(Line::Begin { puzzle: Begun::Custom(puzzle), .. }) => look_at(&puzzle.scene),
             Ok(Line::Begin { puzzle: Begun::Task(id), .. }) => drop(Task::load(id).inspect_err(says_why)),

@@ -1,13 +1,15 @@
 //! Custom scenes in files.
 
-use std::fs::File;
-use std::io::{self, Read};
+use std::io::Read;
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
 use pathlight::puzzle::custom_scene::sentences;
+use pathlight::puzzle::utf8::utf8;
 use pathlight::session::puzzle::Puzzle;
 use serde_json::Value;
+
+use super::input;
 
 /// Largest file, bytes. The largest scene needs some 10,000.
 const MAX_SIZE: u64 = 1 << 20;
@@ -18,16 +20,11 @@ const MAX_SIZE: u64 = 1 << 20;
 /// If the file cannot be read, is no scene, or the scene may not be played: then all reasons.
 pub fn read(path: &Path) -> anyhow::Result<Puzzle> {
     let shown = path.display();
-    let from = |source: &mut dyn Read| {
-        let mut bytes = Vec::new();
-        source.take(MAX_SIZE + 1).read_to_end(&mut bytes).map(|_| bytes)
-    };
-    let bytes = match path.to_str() {
-        Some("-") => from(&mut io::stdin()),
-        _ => File::open(path).and_then(|mut file| from(&mut file)),
-    };
-    let bytes = bytes.with_context(|| format!("cannot read {shown}"))?;
+    let cannot_read = || format!("cannot read {shown}");
+    let mut bytes = Vec::new();
+    input::open(path)?.take(MAX_SIZE + 1).read_to_end(&mut bytes).with_context(cannot_read)?;
     anyhow::ensure!(bytes.len() as u64 <= MAX_SIZE, "{shown} is larger than {MAX_SIZE} bytes, so it is not a scene");
-    let value: Value = serde_json::from_slice(&bytes).with_context(|| format!("{shown} is not JSON"))?;
+    let text = utf8(&bytes).with_context(cannot_read)?;
+    let value: Value = serde_json::from_str(text).with_context(|| format!("{shown} is not JSON"))?;
     Puzzle::read(value).map_err(|problems| anyhow!("the scene of {shown} may not be played. {}", sentences(&problems)))
 }

@@ -1,4 +1,4 @@
-//! JSON lines in and JSON lines out: the protocol that `simulate --batch` and `agent` share.
+//! JSON lines in and JSON lines out: the protocol that `simulate --batch`, `verify` and `agent` share.
 //!
 //! Each line that is not blank gets exactly one answer, in order. An answer has the number of its line; a line that
 //! cannot be used is answered with `{"line":N,"error":"…"}`. So a client that writes a line and waits for its answer
@@ -7,17 +7,22 @@
 use std::io::{self, BufRead, BufReader, Read};
 
 use anyhow::anyhow;
+use pathlight::puzzle::utf8::{NotUtf8, utf8};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 /// Bytes read at once: some hundred lines, so that a batch keeps all cores busy.
 const BUFFER: usize = 1 << 20;
 
+/// Longest line that plays a ball, bytes. The largest scene needs some 10,000, a task about 50; other keys may take the
+/// rest.
+pub const MAX_LINE: usize = 1 << 16;
+
 /// A line, and its number from 1.
 pub struct Line {
     pub number: usize,
     /// What it says, or why it cannot be used.
-    pub text: anyhow::Result<Vec<u8>>,
+    pub text: anyhow::Result<String>,
 }
 
 impl Line {
@@ -49,18 +54,25 @@ impl<R: Read> Lines<R> {
 impl<R: Read> Iterator for Lines<R> {
     type Item = io::Result<Line>;
 
-    /// Returns the next line, or an error if the source cannot be read.
+    /// Returns the next line, or an error if the source cannot be read or is UTF-16.
     fn next(&mut self) -> Option<io::Result<Line>> {
-        let mut text = Vec::new();
-        let read = self.source.by_ref().take(self.longest as u64 + 1).read_until(b'\n', &mut text);
+        let mut bytes = Vec::new();
+        let read = self.source.by_ref().take(self.longest as u64 + 1).read_until(b'\n', &mut bytes);
         self.count += 1;
-        let skipped = match read {
+        let text = match read {
             Ok(0) => return None,
-            Ok(read) if read > self.longest && !text.ends_with(b"\n") => self.source.skip_until(b'\n').map(|_| true),
-            read => read.map(|_| false),
+            Ok(read) if read > self.longest && !bytes.ends_with(b"\n") => self
+                .source
+                .skip_until(b'\n')
+                .map(|_| Err(anyhow!("the line is longer than {} bytes: write one request per line", self.longest))),
+            Ok(_) => match utf8(&bytes) {
+                // None of its lines would be one.
+                Err(why @ NotUtf8::Utf16) if self.count == 1 => Err(io::Error::new(io::ErrorKind::InvalidData, why)),
+                text => Ok(text.map(str::to_string).map_err(anyhow::Error::from)),
+            },
+            Err(error) => Err(error),
         };
-        let too_long = || anyhow!("the line is longer than {} bytes: write one request per line", self.longest);
-        Some(skipped.map(|too| Line { number: self.count, text: if too { Err(too_long()) } else { Ok(text) } }))
+        Some(text.map(|text| Line { number: self.count, text }))
     }
 }
 
@@ -68,8 +80,8 @@ impl<R: Read> Iterator for Lines<R> {
 ///
 /// # Errors
 /// Says what is wrong with it, and then the remedy.
-pub fn parse<T: DeserializeOwned>(line: &[u8], remedy: &str) -> anyhow::Result<T> {
-    serde_json::from_slice(line).map_err(|error| {
+pub fn parse<T: DeserializeOwned>(line: &str, remedy: &str) -> anyhow::Result<T> {
+    serde_json::from_str(line).map_err(|error| {
         // The parser sees a single line and calls it line 1.
         anyhow!("{}; {remedy}", error.to_string().replace(" at line 1 column", " at column"))
     })

@@ -15,6 +15,7 @@ mod custom_scene_file;
 mod engine_arg;
 mod exit;
 mod fold_args;
+mod input;
 mod json_lines;
 mod model_args;
 mod progress;

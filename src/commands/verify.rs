@@ -1,7 +1,7 @@
 //! `pathlight verify`: simulates the attempts of a file again, and says for each whether it is the same to the bit.
 
-use std::fs;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::Context;
@@ -9,7 +9,8 @@ use pathlight::verification::{AttemptLine, LineFault, Verdict};
 use rayon::prelude::*;
 
 use super::exit::is_broken_pipe;
-use super::json_lines::{Numbered, parse};
+use super::input;
+use super::json_lines::{Line, Lines, MAX_LINE, Numbered, parse};
 use super::progress::say;
 
 /// Simulate the attempts of a file again, and say for each whether it is the same to the bit, differs or is not valid
@@ -25,22 +26,19 @@ use super::progress::say;
 pub struct Args {
     /// Attempts as JSON lines; "-" is standard input
     #[arg(value_name = "FILE")]
-    file: String,
+    file: PathBuf,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<ExitCode> {
-        let mut bytes = Vec::new();
-        match self.file.as_str() {
-            "-" => io::stdin().lock().read_to_end(&mut bytes).map(drop),
-            path => fs::read(path).map(|read| bytes = read),
-        }
-        .with_context(|| format!("cannot read {}", self.file))?;
-        let lines: Vec<(usize, &[u8])> = (1..).zip(bytes.split(|&byte| byte == b'\n')).collect();
-        let attempts: Vec<_> = lines.into_iter().filter(|(_, line)| !line.trim_ascii().is_empty()).collect();
-        anyhow::ensure!(!attempts.is_empty(), "{} holds no attempts: export some on the page", self.file);
+        let name = self.file.display();
+        let lines: Vec<Line> = Lines::new(input::open(&self.file)?, MAX_LINE)
+            .collect::<io::Result<_>>()
+            .with_context(|| format!("cannot read {name}"))?;
+        let attempts: Vec<Line> = lines.into_iter().filter(|line| !line.is_blank()).collect();
+        anyhow::ensure!(!attempts.is_empty(), "{name} holds no attempts: export some on the page");
         let verdicts: Vec<(usize, Verdict)> =
-            attempts.into_par_iter().map(|(number, line)| (number, verdict(line))).collect();
+            attempts.into_par_iter().map(|line| (line.number, verdict(line.text))).collect();
         let count = |matches: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| matches(verdict)).count();
         let same = count(|verdict| matches!(verdict, Verdict::Same));
         let other = count(|verdict| matches!(verdict, Verdict::OtherOutcome { .. }));
@@ -61,8 +59,9 @@ fn print(verdicts: &[(usize, Verdict)]) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn verdict(line: &[u8]) -> Verdict {
-    match parse::<AttemptLine>(line, "`simulate --verifiable` writes attempts, and the page exports them") {
+fn verdict(text: anyhow::Result<String>) -> Verdict {
+    let remedy = "`simulate --verifiable` writes attempts, and the page exports them";
+    match text.and_then(|text| parse::<AttemptLine>(&text, remedy)) {
         Ok(attempt) => attempt.verify(),
         Err(reason) => Verdict::not_valid(LineFault::Form, format!("The line is not an attempt: {reason}.")),
     }

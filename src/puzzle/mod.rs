@@ -17,3 +17,4 @@ pub mod scene_form;
 pub mod stable_shuffle;
 pub mod task;
 pub mod templates;
+pub mod utf8;

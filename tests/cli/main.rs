@@ -3,6 +3,7 @@
 //! One module per command, or per behaviour of several. This file runs the binary.
 #![cfg(not(target_arch = "wasm32"))]
 
+use std::ffi::OsStr;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -14,6 +15,7 @@ use serde_json::Value;
 mod agent;
 mod commands_page;
 mod custom_scenes;
+mod files;
 mod memory;
 mod pipes;
 mod propose;
@@ -33,14 +35,14 @@ fn pathlight() -> Command {
 }
 
 /// Runs the binary to its end, with this standard input.
-fn run(args: &[&str], input: &str) -> Output {
+fn run(args: &[impl AsRef<OsStr>], input: &(impl AsRef<[u8]> + ?Sized)) -> Output {
     let mut command = pathlight();
     command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().expect("the binary starts");
     let mut stdin = child.stdin.take().expect("piped");
-    let input = input.to_string();
+    let input = input.as_ref().to_vec();
     // It may end without reading.
-    let writer = std::thread::spawn(move || drop(stdin.write_all(input.as_bytes())));
+    let writer = std::thread::spawn(move || drop(stdin.write_all(&input)));
     let output = child.wait_with_output().expect("the binary ends");
     writer.join().expect("the writer ends");
     output

@@ -15,6 +15,7 @@ use anyhow::Context;
 use pathlight::puzzle::action::{Action, Invalid, Obstacles};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
+use pathlight::puzzle::utf8::utf8;
 use pathlight::simulator::outcome;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -50,10 +51,11 @@ impl Settings {
     /// If the reference cannot be read, or nobody takes the table.
     pub fn compare(&self, out: &mut dyn Write, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let path = self.reference.join("solve_rates.json");
-        let text = fs::read_to_string(&path)
-            .with_context(|| format!("cannot read {}: --reference names the folder it is in", path.display()))?;
+        let cannot_read = || format!("cannot read {}: --reference names the folder it is in", path.display());
+        let bytes = fs::read(&path).with_context(cannot_read)?;
+        let text = utf8(&bytes).with_context(cannot_read)?;
         let reference: BTreeMap<TaskId, Counts> =
-            serde_json::from_str(&text).with_context(|| format!("in {}", path.display()))?;
+            serde_json::from_str(text).with_context(|| format!("in {}", path.display()))?;
 
         progress.begin(TEMPLATES.len() as u64);
         writeln!(

@@ -15,6 +15,7 @@ use anyhow::{Context, bail, ensure};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
+use pathlight::puzzle::utf8::utf8;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -134,7 +135,8 @@ pub fn is_file_of<E: Entry>(path: &Path) -> anyhow::Result<bool> {
         .take(MAX_LINE)
         .read_until(b'\n', &mut line)
         .with_context(cannot_read)?;
-    Ok(serde_json::from_slice::<E::Settings>(&line).is_ok())
+    let text = utf8(&line).with_context(cannot_read)?;
+    Ok(serde_json::from_str::<E::Settings>(text).is_ok())
 }
 
 /// Whether the file is empty or ends within the settings that this process would write: nothing is lost with it, and no
@@ -176,7 +178,7 @@ pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<
         anyhow::Ok(length)
     };
     let length = next(1, &mut line)?;
-    let settings = serde_json::from_slice(&line);
+    let settings = serde_json::from_str(utf8(&line).with_context(cannot_read)?);
     let settings =
         settings.with_context(|| format!("{name} is not a file of `pathlight-lab {command}`: choose another file"))?;
     let ends_with_newline = line.ends_with(b"\n");

@@ -13,6 +13,7 @@ use anyhow::{Context, bail};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
+use pathlight::puzzle::utf8::utf8;
 use pathlight::simulator::Engine;
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -132,8 +133,9 @@ fn write_agreements(out: &mut dyn Write, engine: Engine, lines: &[Recorded]) -> 
 }
 
 fn read_lines<T: DeserializeOwned>(path: &Path) -> anyhow::Result<Vec<T>> {
-    let text = fs::read_to_string(path)
-        .with_context(|| format!("cannot read {}: --reference names the folder it is in", path.display()))?;
+    let cannot_read = || format!("cannot read {}: --reference names the folder it is in", path.display());
+    let bytes = fs::read(path).with_context(cannot_read)?;
+    let text = utf8(&bytes).with_context(cannot_read)?;
     let parse =
         |(number, line)| serde_json::from_str(line).with_context(|| format!("{}, line {}", path.display(), number + 1));
     text.lines().enumerate().map(parse).collect()

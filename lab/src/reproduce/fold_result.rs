@@ -9,6 +9,7 @@ use anyhow::{Context, ensure};
 use pathlight::agents;
 use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::nets::DqnCard;
+use pathlight::puzzle::utf8::utf8;
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
@@ -153,7 +154,8 @@ impl FoldResult {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
             read => read.with_context(|| format!("cannot read {name}"))?,
         };
-        let result: FoldResult = serde_json::from_slice(&bytes)
+        let text = utf8(&bytes).with_context(|| format!("cannot read {name}"))?;
+        let result: FoldResult = serde_json::from_str(text)
             .with_context(|| format!("{name} is not a result of `pathlight-lab reproduce`: remove it"))?;
         let found = result.report.fold_id();
         ensure!(

@@ -77,8 +77,10 @@ pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf
 fn entries(folder: &Path) -> anyhow::Result<Vec<ModelEntry>> {
     let mut entries = Vec::new();
     for file in fs::read_dir(folder)? {
-        let file = file?.file_name().to_string_lossy().into_owned();
-        if let Some(name) = file.strip_suffix(".safetensors") {
+        // The names that this command writes are UTF-8.
+        if let Ok(file) = file?.file_name().into_string()
+            && let Some(name) = file.strip_suffix(".safetensors")
+        {
             let path = folder.join(&file);
             let (size, sha256) = (fs::metadata(&path)?.len(), digest(&path)?);
             entries.push(ModelEntry { name: name.to_string(), size, sha256, file });

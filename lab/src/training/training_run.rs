@@ -13,6 +13,7 @@ use std::time::Instant;
 use anyhow::{Context, bail, ensure};
 use pathlight::nets::training::{Schedule, Trainable, Trainer};
 use pathlight::nets::{Card, WeightsError};
+use pathlight::puzzle::utf8::utf8;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -261,7 +262,8 @@ pub fn read_checkpoint<C: DeserializeOwned>(folder: &Path) -> anyhow::Result<Opt
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
         read => {
             let bytes = read.with_context(|| format!("cannot read {}", path.display()))?;
-            let checkpoint = serde_json::from_slice(&bytes);
+            let text = utf8(&bytes).with_context(|| format!("cannot read {}", path.display()))?;
+            let checkpoint = serde_json::from_str(text);
             checkpoint.map(Some).with_context(|| format!("{} is damaged: remove its folder", path.display()))
         }
     }

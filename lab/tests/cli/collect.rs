@@ -47,6 +47,24 @@ fn the_file_depends_only_on_the_seed_and_every_ball_in_it_solves() {
     assert_eq!(one, collect(&cut, "2", &[]), "interrupted and continued");
 }
 
+/// As editors and PowerShell save it.
+#[test]
+fn a_byte_order_mark_is_skipped_and_utf16_is_named() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name);
+    let whole = collect(&file("whole"), "2", &[]);
+    let marked = format!("\u{feff}{whole}");
+    fs::write(file("marked"), &marked[..marked.len() - 60]).expect("written");
+    assert_eq!(collect(&file("marked"), "2", &[]), marked, "continued");
+    let [marked, utf16, out] = ["marked", "utf16", "out"].map(|name| file(name).display().to_string());
+    let label = ["data", "label", "--template", "2", "--limit", "2", "--rounds", "1", "--out", &out, "--solutions"];
+    output_of(&[&label[..], &[&marked]].concat());
+    fs::write(&utf16, whole.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>()).expect("written");
+    for command in [&["data", "collect", "--out"][..], &["data", "merge", "--out", &out], &label] {
+        assert_refused(&[command, &[&utf16]].concat(), "this is UTF-16: save it as UTF-8");
+    }
+}
+
 #[test]
 fn a_missing_last_newline_loses_nothing() {
     let folder = tempdir().expect("a folder");

@@ -11,14 +11,20 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::scene::SIZE;
 use crate::puzzle::scene_form::FormFault;
 use crate::puzzle::task::{Task, TaskError};
+use crate::puzzle::utf8::{NotUtf8, utf8};
 
 /// Version of the format.
 const FORMAT: u32 = 1;
+
+/// Most puzzles that can have been forgotten: the numbers of those that follow have to fit into the 32 bits of wasm.
+const MAX_FORGOTTEN: u32 = u32::MAX / 2;
 
 /// Why a memory cannot be used.
 #[derive(Debug, thiserror::Error)]
 #[allow(missing_docs, reason = "the messages say it")]
 pub enum MemoryError {
+    #[error(transparent)]
+    Text(#[from] NotUtf8),
     #[error("this is no memory, or it is damaged: {0}")]
     Json(serde_json::Error),
     #[error("this memory has format {0}, but this program reads format {FORMAT}: begin a new one")]
@@ -31,6 +37,8 @@ pub enum MemoryError {
     Task { puzzle: usize, why: TaskError },
     #[error("puzzle {puzzle} of this memory is damaged: {why}")]
     Scene { puzzle: usize, why: FormFault },
+    #[error("this memory is damaged: it says that {0} puzzles were forgotten")]
+    Forgotten(u32),
     #[error("attempt {attempt} at puzzle {puzzle} of this memory is damaged: a ball has to be valid, a chance 0 to 1")]
     Attempt { puzzle: usize, attempt: usize },
 }
@@ -83,13 +91,17 @@ impl Memory {
     /// # Errors
     /// If it is damaged, of another format, or learned with other weights; then nothing has changed.
     pub fn read_json(&mut self, json: &[u8], weights: Option<&str>) -> Result<(), MemoryError> {
-        let Head { version } = serde_json::from_slice(json).map_err(MemoryError::Json)?;
+        let json = utf8(json)?;
+        let Head { version } = serde_json::from_str(json).map_err(MemoryError::Json)?;
         if version != FORMAT {
             return Err(MemoryError::Format(version));
         }
-        let saved: Saved = serde_json::from_slice(json).map_err(MemoryError::Json)?;
+        let saved: Saved = serde_json::from_str(json).map_err(MemoryError::Json)?;
         if saved.weights.as_deref() != weights {
             return Err(if saved.weights.is_none() { MemoryError::WithoutWeights } else { MemoryError::Weights });
+        }
+        if saved.forgotten > MAX_FORGOTTEN {
+            return Err(MemoryError::Forgotten(saved.forgotten));
         }
         let forgotten = saved.forgotten as usize;
         let numbered = saved.puzzles.into_iter().zip(forgotten + 1..);

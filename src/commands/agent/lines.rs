@@ -61,7 +61,7 @@ struct Keys {
 impl Line {
     /// # Errors
     /// Says what is wrong with the line, and how to write it.
-    pub fn parse(line: &[u8]) -> anyhow::Result<Line> {
+    pub fn parse(line: &str) -> anyhow::Result<Line> {
         let Keys { task, scene, remember, forget, ball, status, paths } = json_lines::parse(line, EXAMPLES)?;
         ensure!(!remember || status.is_none(), "`remember` belongs on the line that begins the puzzle; {EXAMPLES}");
         let begins = |puzzle| Line::Begin { puzzle, remember };

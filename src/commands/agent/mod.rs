@@ -6,7 +6,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use anyhow::ensure;
+use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 
 use super::agent_arg::agent;
@@ -108,7 +108,7 @@ fn play(player: &mut Player, mut file: Option<&mut MemoryFile>) -> anyhow::Resul
     let mut out = io::stdout().lock();
     let mut refused = 0;
     for read in Lines::new(io::stdin().lock(), MAX_LINE) {
-        let read = read?;
+        let read = read.context("cannot read standard input")?;
         if read.is_blank() {
             continue;
         }

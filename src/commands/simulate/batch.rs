@@ -3,8 +3,9 @@
 //! Works through the lines in chunks, so that memory stays bounded. A chunk ends where the next line has not arrived
 //! yet, so that a client that writes a line and waits gets its answer.
 
-use std::fs::File;
+use std::fs;
 use std::io::{self, BufWriter, Read, Write};
+use std::path::Path;
 
 use anyhow::Context;
 use pathlight::puzzle::custom_scene::sentences;
@@ -15,37 +16,28 @@ use rayon::prelude::*;
 
 use super::start::{Place, Request};
 use super::{Answer, Format, attempt_line};
-use crate::commands::json_lines::{Line, Lines, Numbered, Refusal, parse};
+use crate::commands::input;
+use crate::commands::json_lines::{Line, Lines, MAX_LINE, Numbered, Refusal, parse};
 use crate::commands::progress::Progress;
 
 /// Lines per core in one chunk: enough that cores rarely wait for one another.
 const LINES_PER_CORE: usize = 64;
 
-/// Longest line, bytes. The largest scene needs some 10,000, a task about 50; other keys may take the rest.
-const MAX_LINE: usize = 1 << 16;
-
 const EXAMPLE: &str = r#"write a line like {"task":"00007:008","ball":[128,200,15]}"#;
 
 /// Simulates the lines of a file, or of standard input if it is `-`.
-pub fn run(file: &str, format: Format, engine: Engine) -> anyhow::Result<()> {
-    let (source, bytes): (Box<dyn Read>, _) = match file {
-        "-" => (Box::new(io::stdin().lock()), None),
-        path => {
-            let file = File::open(path).with_context(|| format!("cannot read {path}"))?;
-            let about = file.metadata()?;
-            (Box::new(file), about.is_file().then_some(about.len()))
-        }
-    };
-    let mut lines = Lines::new(source, MAX_LINE);
+pub fn run(file: &Path, format: Format, engine: Engine) -> anyhow::Result<()> {
+    let mut lines = Lines::new(input::open(file)?, MAX_LINE);
+    let bytes = fs::metadata(file).ok().filter(fs::Metadata::is_file).map(|about| about.len());
     let mut out = BufWriter::new(io::stdout().lock());
     let mut progress = Progress::new(bytes);
     let (mut answered, mut bad) = (0, 0);
     loop {
-        let chunk = next_chunk(&mut lines).with_context(|| format!("cannot read {file}"))?;
+        let chunk = next_chunk(&mut lines).with_context(|| format!("cannot read {}", file.display()))?;
         if chunk.is_empty() {
             break;
         }
-        let read: usize = chunk.iter().map(|line| line.text.as_ref().map_or(0, Vec::len)).sum();
+        let read: usize = chunk.iter().map(|line| line.text.as_ref().map_or(0, String::len)).sum();
         let chunk = chunk.into_par_iter().filter(|line| !line.is_blank());
         let answers: Vec<_> = chunk.map(|line| (line.number, answer(line, format, engine))).collect();
         for (line, answer) in answers {

@@ -72,7 +72,7 @@ pub struct Args {
     /// that cannot be used is answered with {"line","error"} and named on standard error; if there was one, the exit
     /// code is 2.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "scene", "action", "ball", "poses"])]
-    batch: Option<String>,
+    batch: Option<PathBuf>,
 
     #[command(flatten)]
     engine: EngineArg,
