@@ -70,6 +70,9 @@ pub(crate) fn read(file: &SafeTensors, name: &str, shape: &[usize]) -> Result<(V
             let bytes = data(&view, name, shape, Dtype::I8)?;
             read_multiples(file, name, bytes)?
         }
+        dtype if dtype != Dtype::F16 && view.shape() == shape => {
+            return Err(WeightsError::OtherType { name: name.to_string(), dtype });
+        }
         _ => {
             let halves = data(&view, name, shape, Dtype::F16)?.as_chunks().0.iter();
             (halves.map(|&half| f16::from_le_bytes(half).to_f32()).collect(), 1)
@@ -212,6 +215,19 @@ mod tests {
         assert_survives(&halves([1.0, 2.0]), 1);
         let extremes = [f16::MAX, f16::MIN_POSITIVE_SUBNORMAL];
         assert_survives(&extremes.repeat(500), 1);
+    }
+
+    #[test]
+    fn weights_of_other_types_are_refused_with_the_remedy() {
+        for (dtype, size) in [(Dtype::BF16, 2), (Dtype::F32, 4), (Dtype::F64, 8), (Dtype::I16, 2), (Dtype::U8, 1)] {
+            let tensor = |count: usize| Stored { dtype, shape: vec![count], bytes: vec![0; count * size] };
+            let bytes = safetensors::serialize([("weight", tensor(9))], None).expect("a file");
+            let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
+            let refused = read(&file, "weight", &[9]).expect_err("another type").to_string();
+            assert!(refused.contains(&format!("type {dtype}")) && refused.ends_with("as F16"), "{refused}");
+            let refused = read(&file, "weight", &[8]).expect_err("another shape").to_string();
+            assert!(refused.contains("belong to other nets"), "{refused}");
+        }
     }
 
     #[test]

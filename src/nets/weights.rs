@@ -41,6 +41,8 @@ pub enum WeightsError {
         .found.0, .found.1, .expected.0, .expected.1
     )]
     ShapeMismatch { name: String, found: (Vec<usize>, Dtype), expected: (Vec<usize>, Dtype) },
+    #[error("`{name}` has the type {dtype}, which the nets do not read: save the weights as F16")]
+    OtherType { name: String, dtype: Dtype },
     #[error("`{name}` names the value {index}, which does not exist: download or train the weights again")]
     Outlier { name: String, index: u32 },
     #[error(
