@@ -20,6 +20,7 @@ mod json_lines;
 mod model_args;
 mod progress;
 mod propose;
+mod replace_file;
 mod simulate;
 mod tasks;
 mod template_arg;

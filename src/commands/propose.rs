@@ -1,11 +1,9 @@
 //! `pathlight propose`: the model's proposals for a fold's test tasks, as JSON lines, without any simulation, so that
 //! they can be evaluated elsewhere, for example on PHYRE's own engine.
 
-use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use anyhow::Context;
 use pathlight::agents;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::puzzle::action::Ball;
@@ -18,6 +16,7 @@ use super::custom_scene_file;
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::progress::Progress;
+use super::replace_file::{check_replaceable, replace_file};
 
 /// Write the model's proposals as JSON lines, best first, without simulating
 #[derive(clap::Args)]
@@ -62,13 +61,8 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let fold = FoldId::from(self.fold);
         let to_stdout = self.out.as_os_str() == "-";
-        let cannot_write =
-            || format!("cannot write {}: name a file that you may write to with --out", self.out.display());
         if !to_stdout {
-            // Found out before anything is computed.
-            let folder = self.out.parent().map_or(Ok(()), fs::create_dir_all);
-            let opened = folder.and_then(|()| OpenOptions::new().append(true).create(true).open(&self.out));
-            opened.with_context(cannot_write)?;
+            check_replaceable(&self.out)?;
         }
         let nets = self.model.load(fold)?;
         let custom = self.scene.as_deref().map(custom_scene_file::read).transpose()?;
@@ -99,7 +93,7 @@ impl Args {
             progress.advance(tasks.len() as u64, "tasks".to_string());
         }
         if !to_stdout {
-            fs::write(&self.out, &file).with_context(cannot_write)?;
+            replace_file(&self.out, &file)?;
         }
         progress.finish(&format!("{} puzzles", tasks.len().max(1)));
         Ok(())

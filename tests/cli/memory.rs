@@ -1,6 +1,7 @@
 //! `pathlight agent` with puzzles that it remembers, and files that keep what it remembers.
 
 use std::fs;
+use std::path::Path;
 
 use pathlight::agents::memory::CAPACITY;
 use serde_json::{Value, json};
@@ -130,9 +131,28 @@ fn attempts_at_puzzles_that_were_left_are_kept_and_so_are_those_after_forgetting
     answers(&["--memory", &file], &lines);
     assert_eq!(kept(), ["00002:023"], "what was tried after forgetting is remembered");
 
-    let nowhere = folder.path().join("none/memory.json").display().to_string();
-    let output = run(&[&RANDOM[..], &["--memory", &nowhere]].concat(), "");
-    assert!(stderr(&output).contains("cannot write the memory"), "{}", stderr(&output));
+    // A file is no folder.
+    let nowhere = format!("{file}/memory.json");
+    assert_refused(&[&RANDOM[..], &["--memory", &nowhere]].concat(), "cannot write");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_memory_is_kept_and_locked_where_links_lead() {
+    let folder = tempdir().expect("a folder");
+    let [file, link, other] = ["kept/memory.json", "link", "other"].map(|name| folder.path().join(name));
+    std::os::unix::fs::symlink(&file, &link).expect("a link");
+    std::os::unix::fs::symlink("link", &other).expect("a link");
+    let [file, link, other] = [file, link, other].map(|path| path.display().to_string());
+    let mut agent = Partner::new(&[&RANDOM[..], &["--memory", &link]].concat());
+    agent.ask(&puzzle("00002:007", true)[0].to_string());
+    for name in [&file, &link, &other] {
+        assert_refused(&[&RANDOM[..], &["--memory", name]].concat(), "another process uses the memory");
+    }
+    agent.kill();
+    answers(&["--memory", &other], &puzzle("00002:007", true));
+    assert!(Path::new(&link).is_symlink() && Path::new(&other).is_symlink());
+    assert!(fs::read_to_string(&file).expect("a memory").contains("00002:007"));
 }
 
 #[test]

@@ -12,6 +12,7 @@ pub mod file_lock;
 pub mod journal;
 pub mod json_file;
 pub mod quoted;
+#[path = "../../../src/commands/replace_file.rs"]
 pub mod replace_file;
 pub mod weights_file;
 

@@ -2,11 +2,12 @@
 
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use pathlight::agents::memory::Memory;
+
+use crate::commands::replace_file::{check_replaceable, replace_file, without_links};
 
 pub struct MemoryFile {
     file: PathBuf,
@@ -25,9 +26,11 @@ impl MemoryFile {
     /// If another process uses it, it cannot be read or written, or does not hold a memory of these weights.
     pub fn open(path: &Path, weights: Option<String>) -> anyhow::Result<(MemoryFile, Memory)> {
         let name = path.display();
-        // A link goes on leading to the file.
-        let file = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-        let lock = File::create(beside(&file, ".lock")).with_context(|| cannot_write(path))?;
+        check_replaceable(path)?;
+        // Whatever links lead to it, it has one lock.
+        let file = without_links(path)?;
+        let lock = lock_file(&file);
+        let lock = File::create(&lock).with_context(|| format!("cannot write {}", lock.display()))?;
         if let Err(TryLockError::WouldBlock) = lock.try_lock() {
             bail!("another process uses the memory in {name}: wait until it has ended, or name another file");
         }
@@ -38,7 +41,6 @@ impl MemoryFile {
             let read = memory.read_json(&json, opened.weights.as_deref());
             read.with_context(|| format!("cannot use the memory in {name}"))?;
         }
-        // A file that cannot be written is found before anything is learned.
         opened.save(&memory)?;
         Ok((opened, memory))
     }
@@ -53,25 +55,14 @@ impl MemoryFile {
         if json == self.written {
             return Ok(());
         }
-        let part = beside(&self.file, ".part");
-        let write = || {
-            let mut written = File::create(&part)?;
-            written.write_all(json.as_bytes())?;
-            written.sync_all()?;
-            fs::rename(&part, &self.file)
-        };
-        write().with_context(|| cannot_write(&self.file))?;
+        replace_file(&self.file, json.as_bytes())?;
         self.written = json;
         Ok(())
     }
 }
 
-fn cannot_write(path: &Path) -> String {
-    format!("cannot write the memory to {}: name a file in a folder that you may write to", path.display())
-}
-
-fn beside(file: &Path, ending: &str) -> PathBuf {
+fn lock_file(file: &Path) -> PathBuf {
     let mut name: OsString = file.as_os_str().to_owned();
-    name.push(ending);
+    name.push(".lock");
     name.into()
 }

@@ -1,21 +1,20 @@
-//! Files that are written completely or not at all.
+//! Files that are written completely or not at all, in the lab too.
 
 use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use tempfile::{Builder, NamedTempFile};
 
-/// Writes a file, and its folder if that is missing. A file that is there already, or that a link leads to, stays as it
-/// is until the new one is complete and on disk. A device or a pipe is written to.
+/// Writes a file, and its folder if that is missing. Links stay, also one that leads to no file yet. A file that is
+/// there already stays as it is until the new one is complete and on disk. A device or a pipe is written to.
 ///
 /// # Errors
 /// If it cannot be written; then the file has not changed.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let written = if is_special(&target) { fs::write(&target, bytes) } else { replace(&target, bytes) };
-    written.with_context(|| format!("cannot write {}", path.display()))
+    let written = if is_special(path) { fs::write(path, bytes) } else { replace(path, bytes) };
+    written.with_context(|| cannot_write(path))
 }
 
 /// Checks that a file can be written, before the work whose result it is to hold. Makes its folder if that is missing.
@@ -23,18 +22,36 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
 /// # Errors
 /// If it cannot be written.
 pub fn check_replaceable(path: &Path) -> anyhow::Result<()> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let checked = match target.is_dir() {
+    let checked = match path.is_dir() {
         true => Err(io::ErrorKind::IsADirectory.into()),
-        false if is_special(&target) => Ok(()),
-        false => temporary_file(&target).map(|_| ()),
+        false if is_special(path) => Ok(()),
+        false => without_links(path).and_then(|target| temporary_file(&target)).map(drop),
     };
-    checked.with_context(|| format!("cannot write {}", path.display()))
+    checked.with_context(|| cannot_write(path))
 }
 
-/// Whether this is a device, a pipe, or a link that leads nowhere.
-fn is_special(target: &Path) -> bool {
-    fs::symlink_metadata(target).is_ok_and(|found| !found.is_file() && !found.is_dir())
+/// Returns the file that a path leads to, whether it is there or not.
+///
+/// # Errors
+/// If links lead in a circle.
+pub fn without_links(path: &Path) -> io::Result<PathBuf> {
+    /// As many as Linux follows.
+    const LINKS: usize = 40;
+    let mut target = path.to_path_buf();
+    for _ in 0..LINKS {
+        let Ok(next) = fs::read_link(&target) else { return Ok(fs::canonicalize(&target).unwrap_or(target)) };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
+    }
+    Err(io::Error::other("its links lead in a circle"))
+}
+
+fn cannot_write(path: &Path) -> String {
+    format!("cannot write {}: name a file in a folder that you may write to", path.display())
+}
+
+/// Whether this is a device or a pipe.
+fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
 /// Makes a file beside another.
@@ -49,7 +66,8 @@ fn temporary_file(path: &Path) -> io::Result<NamedTempFile> {
 }
 
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut part = temporary_file(path)?;
+    let path = without_links(path)?;
+    let mut part = temporary_file(&path)?;
     part.write_all(bytes)?;
     part.as_file().sync_all()?;
     part.persist(path)?;
@@ -79,7 +97,13 @@ mod tests {
         assert_eq!(fs::read(&file).expect("a file"), b"through the link");
         fs::remove_file(&file).expect("removed");
         replace_file(&link, b"through the link").expect("written");
+        assert!(link.is_symlink());
         assert_eq!(fs::read(&file).expect("a file"), b"through the link");
+        let [there, back] = ["there", "back"].map(|name| folder.path().join(name));
+        std::os::unix::fs::symlink("there", &back).expect("a link");
+        std::os::unix::fs::symlink("back", &there).expect("a link");
+        replace_file(&there, b"").expect_err("a circle");
+        assert!(there.is_symlink() && back.is_symlink());
     }
 
     #[test]
