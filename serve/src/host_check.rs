@@ -1,8 +1,7 @@
 //! Checks the host that a request names.
 //!
 //! Without the check, a page of another site could point its own name at 127.0.0.1 after it has loaded (DNS
-//! rebinding), and read this server's files as part of that site. While the server listens on a loopback address, only
-//! this machine should read them.
+//! rebinding), and read this server's files as part of that site. An address cannot be rebound.
 
 use std::net::{IpAddr, Ipv6Addr};
 
@@ -16,20 +15,20 @@ use axum::response::{IntoResponse, Response};
 pub enum Hosts {
     /// All: other machines can connect, and the server does not know the names that they use.
     Any,
-    /// This machine's own, and these.
-    Local(Vec<String>),
+    /// `localhost`, addresses, and these.
+    Named(Vec<String>),
 }
 
 impl Hosts {
     /// Whether a `Host` header names this server. The port is ignored, since a tunnel may use another.
     fn contains(&self, host: &str) -> bool {
-        let Hosts::Local(allowed) = self else { return true };
+        let Hosts::Named(allowed) = self else { return true };
         let name = match host.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
-            Some((address, _)) => return address.parse::<Ipv6Addr>().is_ok_and(|address| address.is_loopback()),
+            Some((address, _)) => return address.parse::<Ipv6Addr>().is_ok(),
             None => host.split(':').next().unwrap_or_default(),
         };
         name.eq_ignore_ascii_case("localhost")
-            || name.parse::<IpAddr>().is_ok_and(|address| address.is_loopback())
+            || name.parse::<IpAddr>().is_ok()
             || allowed.iter().any(|host| host.eq_ignore_ascii_case(name))
     }
 }
@@ -47,7 +46,7 @@ pub async fn check(hosts: Hosts, request: Request, next: Next) -> Response {
             .into_response();
     }
     if !hosts.contains(host) {
-        let remedy = "This server answers only to the names of its own machine. Allow others with --allow-host.\n";
+        let remedy = "This server does not answer to this name. Allow it with --allow-host.\n";
         return (StatusCode::MISDIRECTED_REQUEST, remedy).into_response();
     }
     next.run(request).await
@@ -58,25 +57,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_local_and_allowed_names_are_answered() {
-        let local = Hosts::Local(vec!["play.example".to_string()]);
+    fn only_addresses_and_allowed_names_are_answered() {
+        let named = Hosts::Named(vec!["play.example".to_string()]);
         for host in
-            ["localhost", "LocalHost:8080", "127.0.0.1", "127.9.9.9:1", "[::1]", "[::1]:8080", "play.example:443"]
+            ["localhost", "LocalHost:8080", "127.0.0.1", "10.0.0.1:1", "[::1]", "[fe80::2]:8080", "play.example:443"]
         {
-            assert!(local.contains(host), "{host}");
+            assert!(named.contains(host), "{host}");
         }
-        let others = [
-            "",
-            "evil.example",
-            "localhost.evil.example",
-            "127.0.0.1.evil.example",
-            "10.0.0.1",
-            "[::2]",
-            "[::1",
-            "::1",
-        ];
+        let others = ["", "evil.example", "localhost.evil.example", "127.0.0.1.evil.example", "[::1", "::1"];
         for host in others {
-            assert!(!local.contains(host) && Hosts::Any.contains(host), "{host}");
+            assert!(!named.contains(host) && Hosts::Any.contains(host), "{host}");
         }
     }
 }

@@ -6,7 +6,7 @@
 //! It is a separate crate so that `make play` need not compile the nets and their training.
 
 use std::io::{self, Write};
-use std::net::SocketAddr;
+use std::net::{Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -51,8 +51,8 @@ pub struct Args {
     #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
     frame_ancestors: Vec<String>,
 
-    /// Answer requests for these host names too, for example behind a proxy; a server on a loopback address refuses all
-    /// but its own names
+    /// Answer requests for these host names, for example behind a proxy, besides localhost and addresses, and for no
+    /// others; without this a server on a loopback address answers to no other names, any other server to all
     #[arg(long, value_name = "NAME", num_args = 1.., value_parser = host_name)]
     allow_host: Vec<String>,
 
@@ -108,7 +108,8 @@ impl Args {
         runtime.block_on(async {
             let listener = listen(&self.host, self.port).await?;
             let address = listener.local_addr()?;
-            let hosts = if address.ip().is_loopback() { Hosts::Local(self.allow_host) } else { Hosts::Any };
+            let knows_its_names = address.ip().is_loopback() || !self.allow_host.is_empty();
+            let hosts = if knows_its_names { Hosts::Named(self.allow_host) } else { Hosts::Any };
             let router = router(&page, &assets, policy, hosts, self.log);
             // Signals are handled before the address is printed, so a script that reads it can stop the server.
             let stop = stop_signal()?;
@@ -151,11 +152,16 @@ fn say(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 
-/// Prints the address.
+/// Prints the address that a browser on this machine opens.
 fn announce(address: SocketAddr) -> anyhow::Result<()> {
-    writeln!(io::stdout(), "Pathlight is at http://{address}/ (Ctrl+C ends it)")?;
+    let mut opened = address;
+    // Not every system takes "all addresses" for one of its own.
+    if address.ip().is_unspecified() {
+        opened.set_ip(if address.is_ipv4() { Ipv4Addr::LOCALHOST.into() } else { Ipv6Addr::LOCALHOST.into() });
+    }
+    writeln!(io::stdout(), "Pathlight is at http://{opened}/ (Ctrl+C ends it)")?;
     if !address.ip().is_loopback() {
-        say(&format!("warning: every machine that can reach {} can open the page", address.ip()));
+        say("warning: every machine that can reach this one can open the page, under the address of this one");
     }
     Ok(())
 }

@@ -20,8 +20,13 @@ fn names_of_other_machines_are_refused_with_the_remedy_unless_they_are_allowed()
         assert!(is(&head, 421) && head.contains("default-src 'self'"), "{host}: {head}");
         assert!(String::from_utf8_lossy(&body).contains("--allow-host"), "{host}");
     }
-    let (head, _) = Server::with(&["--allow-host", "play.example"]).send("/main.js", &["Host: play.example"]);
-    assert!(is(&head, 200), "{head}");
+    for host in [&[][..], &["--host", "0.0.0.0"]] {
+        let server = Server::with(&[&["--allow-host", "play.example"], host].concat());
+        for (name, status) in [("play.example", 200), ("10.0.0.1", 200), ("evil.example", 421)] {
+            let (head, _) = server.send("/main.js", &[&format!("Host: {name}")]);
+            assert!(is(&head, status), "{host:?} {name}: {head}");
+        }
+    }
 }
 
 #[test]

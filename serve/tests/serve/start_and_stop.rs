@@ -32,6 +32,17 @@ fn an_ipv6_address_may_be_in_brackets() {
     assert!(is(&server.get("/main.js", &[]).0, 200));
 }
 
+#[test]
+fn a_server_on_all_addresses_prints_one_that_opens_and_answers_to_any_name() {
+    let server = Server::with(&["--host", "0.0.0.0"]);
+    assert!(server.address.starts_with("127.0.0.1:"), "{}", server.address);
+    assert!(is(&server.send("/main.js", &["Host: any.example"]).0, 200));
+    if TcpListener::bind("[::1]:0").is_ok() {
+        let server = Server::with(&["--host", "::"]);
+        assert!(server.address.starts_with("[::1]:"), "{}", server.address);
+    }
+}
+
 /// Sends a signal to it.
 #[cfg(unix)]
 pub fn signal(server: &Server, name: &str) {
