@@ -27,7 +27,7 @@ export CARGO_TARGET_DIR := $(CURDIR)/target
 
 PACKAGE := www/pkg/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/constants.mjs scripts/licences.mjs \
-	scripts/optimise-wasm scripts/package-lock.json LICENSE src/web/types.d.ts src/benchmark/difficulty.json \
+	scripts/mend-glue.mjs scripts/optimise-wasm scripts/package-lock.json LICENSE src/web/types.d.ts src/benchmark/difficulty.json \
 	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs

@@ -129,6 +129,33 @@ test("of weights that are loaded at once, those asked for last stay, and none af
   assert.equal(pathlight.card, null);
 });
 
+test("what a getter of an argument frees or calls leaves the object usable", async () => {
+  const pathlight = await load();
+  const scene = pathlight.customScene(TASK);
+  /** Returns the scene; `act` is called while it is read. */
+  const meddling = (act) => ({
+    ...scene,
+    get name() {
+      act();
+      return "meddling";
+    },
+  });
+  const propose = (puzzle) => pathlight.propose(puzzle, { count: 1 });
+  const freeing = meddling(() => pathlight.free());
+  assert.equal(propose(freeing).length, 1);
+  assert.throws(() => propose(TASK), { code: "no_weights" });
+  await pathlight.loadModel();
+  const [{ ball }] = propose(TASK);
+
+  const memory = pathlight.memory();
+  const forgetting = meddling(() => memory.forget());
+  memory.remember(forgetting, ball, false);
+  assert.equal(memory.attempts(), 1);
+  const freeingMemory = meddling(() => memory.free());
+  memory.remember(freeingMemory, ball, false);
+  assert.throws(() => memory.attempts(), { code: "bad_data" });
+});
+
 test("a server imports the element as nothing", () => {
   assert.equal(run('console.log(Object.keys(await import("pathlight/element")).length)'), "0\n");
 });
