@@ -120,6 +120,17 @@ fn contributors_are_told_names_that_exist() {
     assert!(gone.is_empty(), "CONTRIBUTING.md names what the sources do not have: {gone:?}");
 }
 
+#[test]
+fn the_packages_readme_lists_every_event() {
+    let declared = Page::new("package/element.d.ts").text;
+    let events: Vec<&str> =
+        declared.lines().filter_map(|line| Some(line.trim().split_once(": CustomEvent<")?.0)).collect();
+    assert!(events.len() > 2, "{events:?}");
+    let readme = Page::new("package/README.md").text;
+    let missing: Vec<&str> = events.into_iter().filter(|event| !readme.contains(&format!("\n| `{event}` |"))).collect();
+    assert!(missing.is_empty(), "package/README.md does not list {missing:?}");
+}
+
 /// The schema of workflows, which `make check` holds them to, knows nothing of our scripts.
 #[test]
 fn workflows_run_scripts_that_exist() {
