@@ -116,8 +116,8 @@ impl OpenPuzzle {
         Ok(facts)
     }
 
-    /// Draws a frame into a square canvas: the scene, the maps over it, then paths, balls and the ring. Bodies are those
-    /// of the first rollout; the others lie over it.
+    /// Draws a frame into a square canvas: the scene, the maps over it, then paths, balls and the ring. Bodies are
+    /// those of the first rollout; the others lie over it.
     ///
     /// # Errors
     /// `bad_data` if a value does not have the agreed form, `invalid_ball`.

@@ -12,9 +12,6 @@ use super::shipped::Measurement;
 use super::task_set::TaskSet;
 use crate::files::json_file;
 
-/// Version of the simulator in which the results over folds were measured. Those of the shipped models are of today's.
-pub const SIMULATOR: u32 = 3;
-
 /// The file of results on all tasks.
 pub const ALL_TASKS: &str = "all-tasks.json";
 
@@ -22,8 +19,8 @@ pub const ALL_TASKS: &str = "all-tasks.json";
 /// and `settings` have to agree; `script` makes them.
 ///
 /// # Errors
-/// If there are none, one is damaged or is not of all test tasks of the fold in its name, by these agents and of
-/// their version, or they were made with different settings.
+/// If there are none, one is damaged or is not of all test tasks of the fold in its name, by these agents, or they were
+/// made with different settings.
 pub fn read<S: PartialEq>(
     folder: &Path,
     agents: &[AgentName],
@@ -40,7 +37,7 @@ pub fn read<S: PartialEq>(
         let report: Report = json_file::read(&path, script)?;
         ensure!(
             (report.fold_id(), report.tasks_of) == (fold, TaskSet::Test)
-                && report.is_whole(&fold.tasks().test, SIMULATOR)
+                && report.is_whole(&fold.tasks().test, report.simulator)
                 && agents.iter().all(|&agent| report.score(agent).is_some()),
             "{name} does not hold the agents {}, of this version, on all test tasks of {fold}: remove it, and run \
              `{script}` again",
@@ -65,13 +62,13 @@ pub fn read<S: PartialEq>(
 /// Reads the results on all tasks in a folder. They have to hold these agents; `script` makes them.
 ///
 /// # Errors
-/// If there are none, or they are damaged, or are not of all tasks, by these agents and of their version.
+/// If there are none, or they are damaged, or are not of all tasks, by these agents.
 pub fn read_all_tasks(folder: &Path, agents: &[AgentName], script: &str) -> anyhow::Result<Report> {
     let path = folder.join(ALL_TASKS);
     let report: Report = json_file::read(&path, script)?;
     ensure!(
         report.tasks_of == TaskSet::All
-            && report.is_whole(&TaskSet::All.tasks(FoldId::default(), None), SIMULATOR)
+            && report.is_whole(&TaskSet::All.tasks(FoldId::default(), None), report.simulator)
             && agents.iter().all(|&agent| report.score(agent).is_some()),
         "{} does not hold the agents {}, of this version, on all tasks: remove it, and run `{script}` again",
         path.display(),
