@@ -11,7 +11,7 @@ const folder = resolve(process.argv[2]);
 const isTyped = process.argv.includes("--typescript");
 const module = await import(pathToFileURL(join(folder, "pathlight.js")).href);
 /** @type {typeof import("../www/pkg/pathlight.js")} */
-const { constants, initSync, palette, templates } = module;
+const { constants, initSync, palette, sceneLimits, templates } = module;
 
 initSync({ module: readFileSync(join(folder, "pathlight_bg.wasm")) });
 
@@ -24,11 +24,12 @@ const print = (type, name, value) =>
   );
 
 console.log("// Written by scripts/build-wasm. src/web/types.d.ts describes the constants.\n");
-if (isTyped) console.log('import type { Constants, Palette, Template } from "./page/pathlight.js";\n');
+if (isTyped) console.log('import type { Constants, Palette, SceneLimits, Template } from "./page/pathlight.js";\n');
 for (const [name, value] of Object.entries(constants()))
   print(`Constants["${name}"]`, name.toUpperCase(), JSON.stringify(value));
 print("Palette", "LIGHT_PALETTE", JSON.stringify(palette(false)));
 print("Palette", "DARK_PALETTE", JSON.stringify(palette(true)));
+print("SceneLimits", "SCENE_LIMITS", JSON.stringify(sceneLimits()));
 // The ids of the 2,500 tasks, each with its template's, would be a tenth of all that the page starts with.
 const packed = templates().map((template) => ({
   ...template,

@@ -8,9 +8,11 @@ import { setDevice } from "./core/change/settings.ts";
 import { start } from "./core/state.ts";
 import { Store } from "./core/store.ts";
 import { languageEffect } from "./effects/language.ts";
+import { makingEffect } from "./effects/making.ts";
 import { modelEffects } from "./effects/model.ts";
 import { listen } from "./stage/listen.ts";
 import { Stage } from "./stage/stage.ts";
+import { toolOf } from "./stage/tools.ts";
 import { loadText } from "./text/text.ts";
 import { description } from "./view/news.ts";
 import { page } from "./view/page.ts";
@@ -69,8 +71,10 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     stillness: still.matches,
   });
   const text = await loadText(given.kept.language ?? given.language);
-  const first = start({ ...route, task: given.puzzle.about.id }, given.puzzle, given.kept, device(), text, ball);
-  const store = new Store(first, [languageEffect, ...modelEffects(given.files), ...given.effects]);
+  const { id } = given.puzzle.about;
+  const named = { ...route, task: id, scene: id === null ? route.scene : null };
+  const first = start(named, given.puzzle, given.kept, device(), text, ball);
+  const store = new Store(first, [languageEffect, makingEffect, ...modelEffects(given.files), ...given.effects]);
   const stage = new Stage(schedule);
   const app = { store, canvas: stage.canvas, embedded: given.embedded };
   const root = given.root as HTMLElement;
@@ -113,7 +117,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     render(page(app), root);
     const described = description(store.state);
     if (stage.canvas.ariaLabel !== described) stage.canvas.ariaLabel = described;
-    stage.canvas.classList.toggle("taken", store.state.placement.ball !== null);
+    stage.canvas.classList.toggle("taken", toolOf(store.state).holds(store.state));
     stage.paint(store.state);
   }
 }

@@ -6,7 +6,7 @@
 // Its attributes are the parts of a link, follow the person, and can be changed at any time; besides, `theme` is
 // "light" or "dark", and `remember` keeps attempts and choices in this browser (read once, when the puzzle is opened).
 
-import { follow } from "./actions.ts";
+import { follow, puzzleOf } from "./actions.ts";
 import { filesAt, languageOf, mount } from "./app.ts";
 import { NOTHING_KEPT, choose } from "./core/change/kept.ts";
 import { theme } from "./core/derived/looks.ts";
@@ -55,7 +55,8 @@ export class PathlightPuzzle extends HTMLElement {
     const { store } = this.#app;
     if (name === "theme") return store.change(choose, { theme: themeOf(now) });
     const { link } = readParts(this.#parts());
-    const isElsewhere = link.task !== null && link.task !== store.state.route.task;
+    const { task, scene } = store.state.route;
+    const isElsewhere = (link.task !== null && link.task !== task) || (link.scene !== null && link.scene !== scene);
     follow(store, isElsewhere && name !== "ball" ? { ...link, ball: null } : link);
   }
 
@@ -69,7 +70,10 @@ export class PathlightPuzzle extends HTMLElement {
     const { link } = readParts(this.#parts());
     const remembers = this.hasAttribute("remember");
     const kept = { ...(remembers ? readKept() : NOTHING_KEPT), theme: themeOf(this.getAttribute("theme")) };
-    const puzzle = openPuzzle(link.task ?? nextTask(benchmark(), null, (task) => task in kept.attempts));
+    const shared = link.scene === null ? null : await puzzleOf(link.scene);
+    if (signal.aborted) return;
+    if (shared && "problem" in shared) throw new Error("The attribute scene holds no puzzle that may be played.");
+    const puzzle = shared ?? openPuzzle(link.task ?? nextTask(benchmark(), null, (task) => task in kept.attempts));
     const language = languageOf(this.closest("[lang]")?.getAttribute("lang") ?? navigator.language);
     const effects = [this.#attributes(), ...(remembers ? [keepingEffect()] : [])];
     const given = { root: this.#root, keys: this.#root, link, puzzle, kept, files, embedded: true, language, effects };

@@ -1,6 +1,6 @@
 // The page: opens what the address names, and keeps what is played.
 
-import { follow } from "./actions.ts";
+import { follow, puzzleOf } from "./actions.ts";
 import { filesAt, languageOf, mount } from "./app.ts";
 import { setNotice } from "./core/change/settings.ts";
 import { nextTask } from "./core/derived/next.ts";
@@ -21,13 +21,16 @@ async function run(root: HTMLElement): Promise<void> {
   void loadText(kept.language ?? language);
   await loadSimulator(files.simulator);
   const { link, unread } = readAddress(location.hash);
-  const named = link.task === null ? null : existing(link.task);
+  const shared = link.scene === null ? null : await puzzleOf(link.scene);
+  const custom = shared && !("problem" in shared) ? shared : null;
+  const named = custom ?? (link.task === null ? null : existing(link.task));
   const puzzle = named ?? openPuzzle(nextTask(benchmark(), null, (task) => task in kept.attempts));
   const given = { root, keys: document, link, puzzle, kept, files, language };
   const effects = [addressEffect, documentEffect, keepingEffect()];
   const { store } = await mount({ ...given, embedded: false, effects }, forever);
   listenToOtherTabs(store, forever);
-  if (link.task !== null && !named) store.change(setNotice, { kind: "no_task", task: link.task });
+  if (shared && "problem" in shared) store.change(setNotice, { kind: "bad_scene", ...shared });
+  else if (link.task !== null && !named) store.change(setNotice, { kind: "no_task", task: link.task });
   else if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });
   addEventListener("hashchange", () => {
     const { link, unread } = readAddress(location.hash);

@@ -1,11 +1,30 @@
 // The page's wasm: it simulates and paints, and knows no nets. The only user of pkg/page.
 
-import init, { OpenPuzzle, fold, paintMap, paintOutcomes, solveRates } from "./pkg/page/pathlight.js";
+import init, {
+  OpenPuzzle,
+  customScene,
+  fold,
+  paintEditedScene,
+  paintMap,
+  paintOutcomes,
+  sceneProblems,
+  solveRates,
+} from "./pkg/page/pathlight.js";
 import { GRID_SIDE, SCENE_SIZE, TEMPLATES } from "./pkg/constants.ts";
 import models from "../assets/model.json";
 import type { Puzzle } from "./core/puzzle.ts";
 import type { Benchmark } from "./core/derived/next.ts";
-import type { Ball, MapName, Puzzle as Source, RolloutFacts, Setup, ShownRollout, View } from "./pkg/page/pathlight.js";
+import type {
+  Ball,
+  CustomScene,
+  MapName,
+  Puzzle as Source,
+  RolloutFacts,
+  SceneProblem,
+  Setup,
+  ShownRollout,
+  View,
+} from "./pkg/page/pathlight.js";
 
 /** Its objects are freed with the puzzles that they belong to. */
 const handles = new WeakMap<Puzzle, OpenPuzzle>();
@@ -31,11 +50,14 @@ async function load(url: string): Promise<void> {
 export function openPuzzle(source: Source): Puzzle {
   const open = new OpenPuzzle(source);
   const about = open.about();
+  // As a custom scene it is plain: without what else its JSON may hold.
+  const custom = customScene(source);
   const puzzle: Puzzle = {
-    source,
+    source: typeof source === "string" ? source : custom,
     key: about.id ?? about.digest ?? "",
     about,
     scene: about.scene,
+    custom,
     whyInvalid: latest((ball) => open.whyInvalid(...ball) ?? null),
     nearestPlace: (ball) => open.nearestPlace(...ball) ?? null,
     rollout: remembered((ball) => open.rollout(ball)),
@@ -52,6 +74,30 @@ export function paint(
   maps: HTMLCanvasElement[],
 ): void {
   handles.get(puzzle)!.paint(context, [...rollouts], view, maps);
+}
+
+/** Paints a custom scene as it is being made, also one that may not be played. */
+export function paintMaking(
+  context: CanvasRenderingContext2D,
+  scene: CustomScene,
+  view: View,
+  maps: HTMLCanvasElement[],
+): void {
+  paintEditedScene(context, scene, view, maps);
+}
+
+const problems = new WeakMap<object, SceneProblem[]>();
+
+/** Why a scene may not be played. */
+export function problemsOf(scene: CustomScene): readonly SceneProblem[] {
+  const known = problems.get(scene) ?? sceneProblems(scene);
+  problems.set(scene, known);
+  return known;
+}
+
+/** Are none of a scene's problems those of a body? */
+export function fits(scene: CustomScene, index: number): boolean {
+  return problemsOf(scene).every(({ body, other }) => body !== index && other !== index);
 }
 
 /** A map as a picture, painted once. Its opacity is that of the values, so that what is unsure looks so. */

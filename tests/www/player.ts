@@ -10,7 +10,7 @@ import { start } from "../../www-next/core/state.ts";
 import { en } from "../../www-next/text/en/en.ts";
 import type { Puzzle } from "../../www-next/core/puzzle.ts";
 import type { State } from "../../www-next/core/state.ts";
-import type { AttemptLine, Ball, Body, RolloutFacts, TriedProposal } from "../../www-next/pkg/page/pathlight.js";
+import type { AttemptLine, Ball, Body, CustomScene, RolloutFacts, TriedProposal } from "../../www-next/pkg/page/pathlight.js";
 
 export const SOLVING: Ball = [220, 100, 12];
 export const MISSING: Ball = [100, 100, 12];
@@ -18,6 +18,18 @@ export const MISSING: Ball = [100, 100, 12];
 export const LAST = 60;
 
 const BODY: Body = { x: 50, y: 50, angle: 0, dynamic: true, shape: "ball", role: "green", parts: [{ circle: 10 }] };
+
+/** A ball, a floor as its goal, and a bar. */
+export const CUSTOM: CustomScene = {
+  version: 1,
+  body1: 0,
+  body2: 1,
+  bodies: [
+    { shape: "ball", radius: 12, x: 60, y: 180, angle: 0, dynamic: true },
+    { shape: "bar", length: 200, thickness: 6, x: 128, y: 3, angle: 0, dynamic: false },
+    { shape: "bar", length: 64, thickness: 6, x: 160, y: 100, angle: 0, dynamic: true },
+  ],
+};
 
 const solves = ([x]: Ball) => x > 200;
 
@@ -48,6 +60,7 @@ export function puzzle(task = "00000:000"): Puzzle {
     key: task,
     about: { id: task, digest: null, name: null, scene },
     scene,
+    custom: CUSTOM,
     whyInvalid: ([x]) => (x < 20 ? { kind: "outside" } : null),
     nearestPlace: ([, y, r]) => [20, y, r],
     rollout: (ball) => facts(ball ?? MISSING),

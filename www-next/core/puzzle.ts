@@ -1,7 +1,7 @@
 // An open puzzle as the core sees it: pure questions about balls. `simulator.ts` answers them by wasm, a test by a few
 // lines of its own.
 
-import type { About, Ball, InvalidBall, Puzzle as Source, RolloutFacts, Scene } from "../pkg/page/pathlight.js";
+import type { About, Ball, CustomScene, InvalidBall, Puzzle as Source, RolloutFacts, Scene } from "../pkg/page/pathlight.js";
 
 export interface Puzzle {
   /** The id of a task, or a custom scene: what the worker is asked about. */
@@ -10,6 +10,8 @@ export interface Puzzle {
   readonly key: string;
   readonly about: About;
   readonly scene: Scene;
+  /** The scene in the form in which it can be changed. */
+  readonly custom: CustomScene;
   whyInvalid(ball: Ball): InvalidBall | null;
   /** The nearest ball of the same radius that may be placed, if one is not far away. */
   nearestPlace(ball: Ball): Ball | null;

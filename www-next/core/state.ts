@@ -4,6 +4,7 @@
 import { NO_ANSWERS, MODEL_OFF } from "./change/model.ts";
 import { NO_BALL, place } from "./change/placement.ts";
 import type { Check } from "./change/check.ts";
+import type { Making } from "./change/make.ts";
 import type { Kept } from "./change/kept.ts";
 import type { Answers, Model } from "./change/model.ts";
 import type { Placement } from "./change/placement.ts";
@@ -27,6 +28,8 @@ export interface State {
   readonly answers: Answers;
   /** The search for all solutions of one radius; null while it is not shown. */
   readonly check: Check | null;
+  /** The puzzle as the person changes it; null until something is changed. */
+  readonly make: Making | null;
   /** What the browser keeps. */
   readonly kept: Kept;
   /** What the device asks for, unless the person has chosen otherwise. */
@@ -54,6 +57,7 @@ export function start(
     model: MODEL_OFF,
     answers: NO_ANSWERS,
     check: null,
+    make: null,
     kept,
     device,
     notice: null,

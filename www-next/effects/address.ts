@@ -14,6 +14,7 @@ interface Codec<Value> {
 
 const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
   task: { write: String, read: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
+  scene: { write: String, read: (text) => (/^[\w-]+$/.test(text) ? text : undefined) },
   panel: { write: String, read: (text) => PANELS.find((panel) => panel === text) },
   layers: {
     write: (layers) => MAPS.filter((map) => layers.includes(map)).join(),
@@ -89,7 +90,10 @@ export const addressEffect: Effect<State> = {
     const address = addressOf(state);
     if (address === location.hash) return;
     const { link } = readAddress(location.hash);
-    if (location.hash && (link.task !== state.route.task || link.panel !== state.route.panel))
+    const { task, scene, panel } = state.route;
+    // A puzzle that is being changed stays one step.
+    const isOther = link.task !== task || (link.scene !== scene && (link.scene === null || state.make === null));
+    if (location.hash && (isOther || link.panel !== panel))
       return history.pushState(null, "", address);
     await rested(signal);
     if (!signal.aborted) history.replaceState(null, "", address);

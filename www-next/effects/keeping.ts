@@ -3,7 +3,7 @@
 import { NOTHING_KEPT, mergeKept, merged } from "../core/change/kept.ts";
 import { setNotice } from "../core/change/settings.ts";
 import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
-import type { Kept } from "../core/change/kept.ts";
+import type { Kept, KeptPuzzle } from "../core/change/kept.ts";
 import type { State } from "../core/state.ts";
 import type { Effect, Store } from "../core/store.ts";
 import type { AttemptLine } from "../pkg/page/pathlight.js";
@@ -22,16 +22,24 @@ export function readKept(): Kept {
 /** Takes what it understands of a document of this version. */
 export function keptFrom(document: any): Kept {
   if (document?.version !== NOTHING_KEPT.version) return NOTHING_KEPT;
-  const { attempts, guess, alone, language, theme } = document;
+  const { attempts, puzzles, guess, alone, live, language, theme } = document;
   const lists = Object.entries(attempts ?? {}).map(([key, lines]) => [key, linesFrom(lines)] as const);
   return {
     version: NOTHING_KEPT.version,
     attempts: Object.fromEntries(lists.filter(([, lines]) => lines.length > 0)),
+    puzzles: Object.fromEntries(Object.entries(puzzles ?? {}).filter(isKeptPuzzle)),
     guess: guess !== false,
     alone: alone === true,
+    live: live !== false,
     language: language === "de" || language === "en" ? language : null,
     theme: theme === "light" || theme === "dark" ? theme : null,
   };
+}
+
+/** Whether its scene may be played is asked where it is shown. */
+function isKeptPuzzle(entry: [key: string, puzzle: any]): entry is [string, KeptPuzzle] {
+  const [, puzzle] = entry;
+  return Number.isFinite(puzzle?.changed) && (puzzle.scene === null || Array.isArray(puzzle.scene?.bodies));
 }
 
 function linesFrom(lines: any): AttemptLine[] {
@@ -60,8 +68,8 @@ export function keepingEffect(): Effect<State> {
 
 function write(store: Store<State>, kept: Kept): void {
   try {
-    const { attempts } = merged(readKept(), kept);
-    localStorage.setItem(KEY, JSON.stringify({ ...kept, attempts }));
+    const { attempts, puzzles } = merged(readKept(), kept);
+    localStorage.setItem(KEY, JSON.stringify({ ...kept, attempts, puzzles }));
   } catch (error) {
     console.warn(error);
     store.change(setNotice, { kind: "storage_full" });

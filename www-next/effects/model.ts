@@ -1,10 +1,13 @@
 // What the worker is asked, as effects: each says on what its question depends.
 
+import { sought } from "../core/change/check.ts";
+import { isSettled, making } from "../core/change/make.ts";
 import { answered, setModel } from "../core/change/model.ts";
 import { attempts, verdict } from "../core/derived/duel.ts";
 import { questioned } from "../core/derived/placing.ts";
 import { WorkerError } from "../model/client.ts";
 import { sharedModel } from "../model/shared.ts";
+import { problemsOf } from "../simulator.ts";
 import type { State } from "../core/state.ts";
 import type { Effect, Store } from "../core/store.ts";
 import type { ModelFiles } from "../model/shared.ts";
@@ -30,7 +33,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
 
   // One ball more than has been played, so that the next drop need not wait.
   const turn: Effect<State> = {
-    needs: (state) => (state.kept.alone ? null : ifReady(state, state.puzzle, attempts(state).length)),
+    needs: (state) => (state.kept.alone || state.route.panel === "make" ? null : ifReady(state, state.puzzle, attempts(state).length)),
     run: (store, signal) =>
       ask(store, async ({ source }) => ({
         turn: await client.call("turn", [source, attempts(store.state).length + 1], signal),
@@ -51,9 +54,17 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       }),
   };
 
+  // Of the scene that is being changed too; answered even if it has changed further meanwhile, as the guess is.
   const maps: Effect<State> = {
-    needs: (state) => ifReady(state, state.puzzle),
-    run: (store, signal) => ask(store, ({ source }) => client.call("imagine", [source], signal)),
+    needs: (state) => {
+      const { scene } = making(state);
+      return problemsOf(scene).length ? null : ifReady(state, state.puzzle, isSettled(state) ? null : scene);
+    },
+    run: (store) =>
+      ask(store, ({ source }) => {
+        const asked = isSettled(store.state) ? source : making(store.state).scene;
+        return client.call("imagine", [asked], new AbortController().signal);
+      }),
   };
 
   const solutions: Effect<State> = {
@@ -62,6 +73,15 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       ask(store, async ({ key, source }) => {
         const onUpdate = (found: State["answers"]["solutions"]) => store.change(answered, key, { solutions: found });
         await client.call("solutions", [source, store.state.check!.radius], signal, onUpdate);
+        return {};
+      }),
+  };
+
+  const search: Effect<State> = {
+    needs: (state) => (state.check?.seeking ? ifAlive(state, state.puzzle) : null),
+    run: (store, signal) =>
+      ask(store, async ({ key, source }) => {
+        await client.call("search", [source], signal, (found) => store.change(sought, key, found));
         return {};
       }),
   };
@@ -78,7 +98,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       }),
   };
 
-  return [following, loading, turn, guess, maps, luck, solutions];
+  return [following, loading, turn, guess, maps, luck, solutions, search];
 }
 
 /** Keeps an answer about the open puzzle. A crash has been told already. */

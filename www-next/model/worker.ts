@@ -4,7 +4,7 @@
 // The page sends { id, call, args }, and the worker answers with any number of { id, update }, then with one
 // { id, value } or { id, failure }. { cancel: id } ends a call that still runs: nobody waits for its answer.
 
-import init, { Model, SolveMap, luck } from "../pkg/worker/pathlight.js";
+import init, { Model, SolutionSearch, SolveMap, luck } from "../pkg/worker/pathlight.js";
 import type { Failure } from "../core/change/model.ts";
 import type { Ball, Puzzle, TriedProposal, Turn } from "../pkg/worker/pathlight.js";
 
@@ -79,6 +79,20 @@ const calls = {
       }
     } finally {
       map.free();
+    }
+  },
+
+  /** Tries balls of all places and radii. Updates: what has been found so far. */
+  *search(puzzle: Puzzle) {
+    const search = new SolutionSearch(puzzle);
+    try {
+      for (let goesOn = true; goesOn;) {
+        const end = performance.now() + SLICE;
+        while (goesOn && performance.now() < end) goesOn = search.advance();
+        yield search.found();
+      }
+    } finally {
+      search.free();
     }
   },
 

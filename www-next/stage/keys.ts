@@ -10,6 +10,12 @@ export type KeyAction =
   | { readonly kind: "stepBy"; readonly steps: number }
   | { readonly kind: "panel"; readonly index: number };
 
+/** What only the scene that is being changed knows. */
+export type MakingKey =
+  | { readonly kind: "select"; readonly by: 1 | -1 }
+  | { readonly kind: "turn"; readonly degrees: number }
+  | { readonly kind: "duplicate" | "remove" | "leave" };
+
 /** With Shift an arrow moves the ball as far, px. */
 const FAR = 10;
 
@@ -54,6 +60,37 @@ export function keyAction(facts: KeyFacts): KeyAction | null {
   for (const name of names) {
     const action = PLAIN[name] ?? (/^[1-9]$/.test(name) ? { kind: "panel" as const, index: Number(name) - 1 } : null);
     if (action) return action;
+  }
+  return null;
+}
+
+/** How far a key turns a body, degrees; with Shift the larger. */
+const TURNS = [1, 15];
+
+export function makingKey(facts: KeyFacts): MakingKey | null {
+  if (facts.ctrlKey || facts.metaKey || facts.altKey) return null;
+  const degrees = TURNS[Number(facts.shiftKey)]!;
+  for (const name of namesOf(facts)) {
+    switch (name) {
+      case "n":
+        return { kind: "select", by: 1 };
+      case "p":
+        return { kind: "select", by: -1 };
+      // < and > are , and . with Shift on many keyboards.
+      case ",":
+      case "<":
+        return { kind: "turn", degrees };
+      case ".":
+      case ">":
+        return { kind: "turn", degrees: -degrees };
+      case "d":
+        return { kind: "duplicate" };
+      case "Delete":
+      case "Backspace":
+        return { kind: "remove" };
+      case "Escape":
+        return { kind: "leave" };
+    }
   }
   return null;
 }

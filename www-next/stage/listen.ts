@@ -1,7 +1,6 @@
 // Pointer, wheel and keys, as changes of the state. Decides nothing itself.
 
 import { goBy, takeNextStep } from "../actions.ts";
-import { redo, undo } from "../core/change/placement.ts";
 import { PANELS, openPanel } from "../core/change/route.ts";
 import { again, stepBy, togglePlaying } from "../core/change/run.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
@@ -41,7 +40,7 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
 
   on(canvas, "wheel", (event: WheelEvent) => {
     // The wheel is the page's, unless the person is busy with the ball; with Ctrl it zooms.
-    if (!canvas.matches(":focus") || event.ctrlKey || store.state.run || !store.state.placement.ball) return;
+    if (!canvas.matches(":focus") || event.ctrlKey || store.state.run || !tool().holds(store.state)) return;
     event.preventDefault();
     const [steps, rest] = wheelSteps(wheelRest, event);
     wheelRest = rest;
@@ -49,10 +48,15 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
   });
 
   on(canvas, "keydown", (event: KeyboardEvent) => {
-    const action = keyAction(event);
-    if (!action) return;
     // A key that is held down is one gesture.
     if (!event.repeat) keyPresses += 1;
+    const changed = tool().key?.(store.state, event, `key ${keyPresses}`);
+    if (changed) {
+      event.preventDefault();
+      return store.change(() => changed);
+    }
+    const action = keyAction(event);
+    if (!action) return;
     if (action.kind === "move") store.change(tool().nudge, action.dx, action.dy, 0, `key ${keyPresses}`);
     else if (action.kind === "resize") store.change(tool().nudge, 0, 0, action.dr, `key ${keyPresses}`);
     else if (action.kind !== "next") return;
@@ -69,10 +73,10 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
   function act(action: KeyAction, isRepeated: boolean): boolean {
     switch (action.kind) {
       case "undo":
-        store.change(undo);
+        store.change(tool().undo);
         return true;
       case "redo":
-        store.change(redo);
+        store.change(tool().redo);
         return true;
       case "stepBy":
         store.change(stepBy, action.steps);

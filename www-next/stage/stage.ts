@@ -3,14 +3,18 @@
 import { fault, guess, solutions } from "../core/derived/placing.ts";
 import { isDark } from "../core/derived/looks.ts";
 import { ended, lastStep, rollouts } from "../core/derived/run.ts";
+import { isSettled, making, selectedBody } from "../core/change/make.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
-import { mapPicture, outcomesPicture, paint } from "../simulator.ts";
+import { paintKnobs } from "./knobs.ts";
+import { mapPicture, outcomesPicture, paint, paintMaking, problemsOf } from "../simulator.ts";
 import type { View } from "../pkg/page/pathlight.js";
 import type { State } from "../core/state.ts";
 
 /** Radius of the knob, CSS px. */
 const KNOB = 7;
 const MAP_OPACITY = 0.8;
+/** What is shown of the model while the scene is changed, unless other maps have been chosen. */
+const LIVE = ["base"] as const;
 
 export class Stage {
   readonly canvas = document.createElement("canvas");
@@ -38,12 +42,24 @@ export class Stage {
 
   /** Paints a state, unless all that is seen of it has been painted. */
   paint(state: State): void {
-    const { puzzle, run, placement, answers, route, check, text } = state;
-    const seen = [puzzle, run, placement, answers, route, check, text, state.kept, state.device];
+    const { puzzle, run, placement, answers, route, check, make, text } = state;
+    const seen = [puzzle, run, placement, answers, route, check, make, text, state.kept, state.device];
     if (seen.every((part, index) => part === this.#painted[index])) return;
     this.#painted = seen;
+    if (isMade(state)) return this.#paintMaking(state);
     const view = viewOf(state, KNOB / this.scale);
     paint(this.#context, puzzle, run?.balls ?? [], view, pictures(state));
+  }
+
+  #paintMaking(state: State): void {
+    const { scene } = making(state);
+    const problems = problemsOf(scene);
+    const troubled = new Set(problems.flatMap(({ body, other }) => [body, other]).filter((index) => index !== null));
+    const settled = viewOf(state, 0);
+    const view = isSettled(state) ? settled : { ...settled, imagined: null };
+    paintMaking(this.#context, scene, view, problems.length ? [] : pictures(state));
+    const bodies = [...troubled].flatMap((index) => scene.bodies[index] ?? []);
+    paintKnobs(this.#context, selectedBody(state), bodies, 1 / this.scale, isDark(state));
   }
 
   stop(): void {
@@ -54,6 +70,11 @@ export class Stage {
     this.#painted = [];
     onResize();
   }
+}
+
+/** Is the scene shown as it is being made? */
+function isMade({ route, run }: State): boolean {
+  return route.panel === "make" && run === null;
 }
 
 function viewOf(state: State, knob: number): View {
@@ -78,11 +99,13 @@ function viewOf(state: State, knob: number): View {
 
 function pictures(state: State): HTMLCanvasElement[] {
   const { maps } = state.answers;
+  const chosen = state.route.layers;
+  const layers = isMade(state) && state.kept.live && chosen.length === 0 ? LIVE : chosen;
   const dark = isDark(state);
-  const found = solutions(state);
-  const layers = state.route.layers.flatMap((name) => {
+  const found = isSettled(state) ? solutions(state) : null;
+  const shown = layers.flatMap((name) => {
     const values = maps?.[name];
     return values ? [mapPicture(name, values, dark)] : [];
   });
-  return found ? [...layers, outcomesPicture(found.outcomes, dark)] : layers;
+  return found ? [...shown, outcomesPicture(found.outcomes, dark)] : shown;
 }

@@ -1,6 +1,10 @@
 // What pointer, wheel and keys do in the scene: place the ball, unless the panel has another tool.
 
-import { cancel, drag, nudge, press, release } from "../core/change/placement.ts";
+import * as ball from "../core/change/placement.ts";
+import * as bodies from "../core/change/make.ts";
+import { fits } from "../simulator.ts";
+import { makingKey } from "./keys.ts";
+import type { KeyFacts } from "./keys.ts";
 import type { Point } from "../core/change/placement.ts";
 import type { State } from "../core/state.ts";
 
@@ -14,10 +18,38 @@ export interface Tool {
   cancel(state: State, pointer: number): State;
   /** An arrow key, or a key or the wheel that changes the size. Moves of one gesture are undone together. */
   nudge(state: State, dx: number, dy: number, dr: number, gesture: string): State;
+  undo(state: State): State;
+  redo(state: State): State;
+  /** Has the person taken something in hand, so that wheel and swipes are the scene's? */
+  holds(state: State): boolean;
+  /** A key that only this tool knows; null: it does not. */
+  key?(state: State, facts: KeyFacts, gesture: string): State | null;
 }
 
-const BALL: Tool = { press, drag, release, cancel, nudge };
+const BALL: Tool = { ...ball, holds: ({ placement }) => placement.ball !== null };
 
-export function toolOf(_: State): Tool {
-  return BALL;
+const BODIES: Tool = {
+  ...bodies,
+  holds: () => true,
+  key(state, facts, gesture) {
+    const asked = makingKey(facts);
+    switch (asked?.kind) {
+      case "select":
+        return bodies.selectNext(state, asked.by);
+      case "turn":
+        return bodies.turnBy(state, asked.degrees, gesture);
+      case "duplicate":
+        return bodies.duplicate(state, fits);
+      case "remove":
+        return bodies.remove(state);
+      case "leave":
+        return bodies.select(state, null);
+      default:
+        return null;
+    }
+  },
+};
+
+export function toolOf({ route }: State): Tool {
+  return route.panel === "make" ? BODIES : BALL;
 }

@@ -3,13 +3,15 @@
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { takeNextStep } from "../actions.ts";
+import { isSettled } from "../core/change/make.ts";
 import { FIRST_RADIUS, resize } from "../core/change/placement.ts";
-import { SPEEDS, seek, setSpeed, togglePlaying } from "../core/change/run.ts";
+import { SPEEDS, play, seek, setSpeed, togglePlaying } from "../core/change/run.ts";
 import { attemptLimitReached, nextStep } from "../core/derived/duel.ts";
 import { fault } from "../core/derived/placing.ts";
 import { ended, lastStep } from "../core/derived/run.ts";
 import { MAX_RADIUS, MIN_RADIUS } from "../pkg/constants.ts";
 import { icon } from "./icons.ts";
+import { problemsHere } from "./make.ts";
 import type { App, View } from "./view.ts";
 
 /** The button is one element whatever it does, so it never loses the focus. */
@@ -18,15 +20,23 @@ export function controls(app: App): View {
   const { state } = store;
   const step = nextStep(state);
   const canDrop = state.placement.ball !== null && fault(state) === null && !attemptLimitReached(state);
-  return html`<button class="step ${step}" aria-disabled=${step === "drop" && !canDrop} @click=${clicked}>
+  return html`<button class="step ${step}" aria-disabled=${step === "drop" ? !canDrop : step === "try" && problemsHere(state).length > 0} @click=${clicked}>
       ${state.text.play.step[step]}
     </button>
-    ${state.run ? playback(app) : radius(app)}`;
+    ${state.run ? playback(app) : state.route.panel === "make" ? watch(app) : radius(app)}`;
 
   // The second click of a double click must not undo what the first has done.
   function clicked({ detail }: MouseEvent): void {
     if (detail < 2) takeNextStep(store);
   }
+}
+
+function watch({ store }: App): View {
+  const { state } = store;
+  const alone = [{ ball: null, of_model: false }];
+  return html`<button ?disabled=${!isSettled(state)} @click=${() => store.change(play, alone, null, false)}>
+    ${state.text.make.watch}
+  </button>`;
 }
 
 function radius({ store }: App): View {

@@ -5,6 +5,7 @@ import { show } from "../core/change/run.ts";
 import { attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
 import { fault, goal } from "../core/derived/placing.ts";
 import { ended } from "../core/derived/run.ts";
+import { madeInWords, problemsHere } from "./make.ts";
 import type { Verdict } from "../core/derived/duel.ts";
 import type { State } from "../core/state.ts";
 import type { App, View } from "./view.ts";
@@ -21,7 +22,8 @@ export function news(app: App): View {
 
 /** The same for a screen reader, once nothing moves: it would never come to an end. */
 export function announcement(state: State): string {
-  if (state.placement.drag || state.run?.playing) return "";
+  if (state.placement.drag || state.make?.drag || state.run?.playing) return "";
+  if (state.route.panel === "make" && !state.run) return madeInWords(state) || hint(state);
   const told = verdict(state);
   return told ? [state.text.play.verdict(told), ...details(state, told)].join(" ") : hint(state);
 }
@@ -35,9 +37,10 @@ export function description({ puzzle, placement, text, ...state }: State): strin
 }
 
 function hint(state: State): string {
-  const { text, puzzle, placement, run } = state;
+  const { text, puzzle, placement, route, run } = state;
   const wrong = fault(state);
   if (run) return ended(state) ? "" : text.play.running;
+  if (route.panel === "make") return problemsHere(state).length ? text.make.broken : text.make.hint;
   if (wrong) return text.puzzle.fault(wrong, puzzle.scene.bodies);
   if (attemptLimitReached(state)) return text.play.full;
   return placement.ball ? text.play.ready : text.play.placeFirst;

@@ -5,6 +5,7 @@ import { setNotice } from "../core/change/settings.ts";
 import { goal } from "../core/derived/placing.ts";
 import { controls } from "./controls.ts";
 import { header } from "./header.ts";
+import { problem } from "./make.ts";
 import { panels } from "./panels.ts";
 import { announcement, news } from "./news.ts";
 import type { App, View } from "./view.ts";
@@ -19,7 +20,7 @@ export function page(app: App): View {
         <p><strong>${text.puzzle.goal(...goal(state))}</strong></p>
         <p class="quiet">${text.puzzle.instructions(puzzle.about)}</p>
       </div>
-      <section class="scene" aria-label=${text.page.scene}>${app.canvas}</section>
+      <section class="scene" aria-label=${text.page.scene}>${app.canvas}${problem(app)}</section>
       <section class="controls">${controls(app)}</section>
       <section class="news">${news(app)}</section>
       <section class="side">${panels(app)}</section>

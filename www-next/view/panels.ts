@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit-html";
 import { PANELS, openPanel } from "../core/change/route.ts";
+import { make } from "./make.ts";
 import { play } from "./play.ts";
 import type { Panel } from "../core/change/route.ts";
 import type { Text } from "../text/text.ts";
@@ -9,6 +10,7 @@ import type { App, View } from "./view.ts";
 
 const VIEWS: Record<Panel, { tab(text: Text): string; view(app: App): View }> = {
   play: { tab: (text) => text.play.tab, view: play },
+  make: { tab: (text) => text.make.tab, view: make },
 };
 
 export function panels(app: App): View {

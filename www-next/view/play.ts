@@ -1,17 +1,16 @@
 // The panel Play: the duel so far, the model and its maps, and the check.
 
 import { html, nothing } from "lit-html";
-import { live } from "lit-html/directives/live.js";
-import { setCheckRadius, toggleCheck } from "../core/change/check.ts";
 import { choose } from "../core/change/kept.ts";
 import { startModel } from "../core/change/model.ts";
 import { toggleLayer } from "../core/change/route.ts";
 import { show } from "../core/change/run.ts";
 import { missesInARow, modelSolvedAt, rounds } from "../core/derived/duel.ts";
 import { isDark } from "../core/derived/looks.ts";
-import { solutions } from "../core/derived/placing.ts";
-import { MAPS, MAX_RADIUS, MIN_RADIUS } from "../pkg/constants.ts";
+import { MAPS } from "../pkg/constants.ts";
 import { mapPicture } from "../simulator.ts";
+import { check } from "./check.ts";
+import { checkbox } from "./widgets.ts";
 import type { Round } from "../core/derived/duel.ts";
 import type { App, View } from "./view.ts";
 
@@ -19,7 +18,7 @@ import type { App, View } from "./view.ts";
 const MISSES = 3;
 
 export function play(app: App): View {
-  return html`${duel(app)} ${model(app)} ${switches(app)} ${check(app)} ${maps(app)}`;
+  return html`${duel(app)} ${model(app)} ${switches(app)} ${offered(app)} ${maps(app)}`;
 }
 
 function duel({ store }: App): View {
@@ -64,7 +63,7 @@ function duel({ store }: App): View {
 
 /** Whether the model is there, and what it knows of this puzzle. */
 function model({ store }: App): View {
-  const { model, answers, text } = store.state;
+  const { model, answers, puzzle, text } = store.state;
   switch (model.kind) {
     case "off":
       return nothing;
@@ -79,6 +78,7 @@ function model({ store }: App): View {
       </p>`;
     case "ready":
       if (answers.practised === null) return nothing;
+      if (puzzle.about.id === null) return html`<p class="quiet">${text.play.unknown}</p>`;
       return answers.practised
         ? html`<p class="practised">${text.play.practised}</p>`
         : html`<p class="quiet">${text.play.unseen}</p>`;
@@ -93,31 +93,10 @@ function switches({ store }: App): View {
   </div>`;
 }
 
-function check({ store }: App): View {
-  const { state } = store;
-  const { check, text } = state;
-  if (!check && missesInARow(state) < MISSES) return nothing;
-  const found = solutions(state);
-  return html`<div class="check">
-    ${check ? nothing : html`<p>${text.play.checkHint}</p>`}
-    ${checkbox(check !== null, text.play.check, () => store.change(toggleCheck))}
-    ${
-      check
-        ? html`<label class="slider">
-              <span>${text.play.checkRadius}</span>
-              <input
-                type="range"
-                min=${MIN_RADIUS}
-                max=${MAX_RADIUS}
-                .value=${live(String(check.radius))}
-                @input=${({ target }: Event) => store.change(setCheckRadius, (target as HTMLInputElement).valueAsNumber)}
-              />
-              <output>${check.radius}</output>
-            </label>
-            <p class="quiet">${text.play.checking(found?.progress ?? 0)}</p>`
-        : nothing
-    }
-  </div>`;
+function offered(app: App): View {
+  const { state } = app.store;
+  if (!state.check && missesInARow(state) < MISSES) return nothing;
+  return html`${state.check ? nothing : html`<p>${state.text.check.offer}</p>`} ${check(app)}`;
 }
 
 function maps({ store }: App): View {
@@ -134,15 +113,4 @@ function maps({ store }: App): View {
         </button>`;
       })}
     </div>`;
-}
-
-function checkbox(checked: boolean, label: string, onChange: (checked: boolean) => void): View {
-  return html`<label class="switch">
-    <input
-      type="checkbox"
-      .checked=${live(checked)}
-      @change=${({ target }: Event) => onChange((target as HTMLInputElement).checked)}
-    />
-    ${label}
-  </label>`;
 }

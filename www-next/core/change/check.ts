@@ -1,17 +1,40 @@
-// "Check the answer": all solutions of one radius over the scene.
+// "Check the answer": all solutions of one radius over the scene, and the search for an easy one.
 
-import { FIRST_RADIUS } from "./placement.ts";
+import { answered } from "./model.ts";
+import { FIRST_RADIUS, place } from "./placement.ts";
 import { MAX_RADIUS, MIN_RADIUS } from "../../pkg/constants.ts";
+import type { FoundSolutions } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
 export interface Check {
   readonly radius: number;
+  /** An easy ball is looked for, to be placed. */
+  readonly seeking: boolean;
 }
 
 export function toggleCheck(state: State): State {
-  return { ...state, check: state.check ? null : { radius: state.placement.ball?.[2] ?? FIRST_RADIUS } };
+  const radius = state.placement.ball?.[2] ?? FIRST_RADIUS;
+  return { ...state, check: state.check ? null : { radius, seeking: false } };
 }
 
 export function setCheckRadius(state: State, radius: number): State {
-  return { ...state, check: { radius: Math.min(Math.max(Math.round(radius), MIN_RADIUS), MAX_RADIUS) } };
+  const within = Math.min(Math.max(Math.round(radius), MIN_RADIUS), MAX_RADIUS);
+  return { ...state, check: { seeking: false, ...state.check, radius: within } };
+}
+
+/** Looks for an easy ball, or stops. */
+export function toggleSeeking(state: State): State {
+  const { check } = state;
+  return check ? { ...state, check: { ...check, seeking: !check.seeking } } : state;
+}
+
+/** Places the easiest ball once all have been tried. */
+export function sought(state: State, key: string, found: FoundSolutions): State {
+  if (key !== state.puzzle.key || !state.check?.seeking) return state;
+  const known = answered(state, key, { found });
+  if (found.progress < 1) return known;
+  const over = { ...known, check: { ...state.check, seeking: false } };
+  if (!found.easiest) return over;
+  const shown = { ...over, check: { ...over.check, radius: found.easiest[2] } };
+  return place(shown, found.easiest, null);
 }

@@ -2,7 +2,7 @@
 
 import { sameBall } from "../puzzle.ts";
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
-import type { AttemptLine } from "../../pkg/page/pathlight.js";
+import type { AttemptLine, CustomScene } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
 export type Language = "en" | "de";
@@ -12,6 +12,16 @@ export interface Kept extends Choices {
   readonly version: 1;
   /** The player's attempts by the key of their puzzle, in order. */
   readonly attempts: Readonly<Record<string, readonly AttemptLine[]>>;
+  /** The custom puzzles by their key. */
+  readonly puzzles: Readonly<Record<string, KeptPuzzle>>;
+}
+
+/** A custom puzzle; of two versions the later counts. */
+export interface KeptPuzzle {
+  /** Null: deleted. */
+  readonly scene: CustomScene | null;
+  /** When it was kept or deleted, ms since 1970. */
+  readonly changed: number;
 }
 
 export interface Choices {
@@ -19,15 +29,32 @@ export interface Choices {
   readonly guess: boolean;
   /** Drop without the model. */
   readonly alone: boolean;
+  /** Show what the model imagines of the scene while it is changed. */
+  readonly live: boolean;
   /** Null: as the device has it. */
   readonly language: Language | null;
   readonly theme: Theme | null;
 }
 
-export const NOTHING_KEPT: Kept = { version: 1, attempts: {}, guess: true, alone: false, language: null, theme: null };
+export const NOTHING_KEPT: Kept = {
+  version: 1,
+  attempts: {},
+  puzzles: {},
+  guess: true,
+  alone: false,
+  live: true,
+  language: null,
+  theme: null,
+};
 
 export function choose(state: State, choices: Partial<Choices>): State {
   return { ...state, kept: { ...state.kept, ...choices } };
+}
+
+/** Keeps custom puzzles by their keys, or deletes them. */
+export function keepPuzzles(state: State, scenes: Readonly<Record<string, CustomScene | null>>, changed: number): State {
+  const entries = Object.entries(scenes).map(([key, scene]) => [key, { scene, changed }] as const);
+  return { ...state, kept: { ...state.kept, puzzles: { ...state.kept.puzzles, ...Object.fromEntries(entries) } } };
 }
 
 /** Another tab has kept something. */
@@ -42,7 +69,10 @@ export function mergeKept(state: State, theirs: Kept): State {
 export function merged(one: Kept, other: Kept): Kept {
   const attempts = { ...one.attempts };
   for (const [key, lines] of Object.entries(other.attempts)) attempts[key] = mergedLines(attempts[key] ?? [], lines);
-  return { ...one, attempts };
+  const puzzles = { ...one.puzzles };
+  for (const [key, puzzle] of Object.entries(other.puzzles))
+    if (!(puzzles[key] && puzzles[key].changed >= puzzle.changed)) puzzles[key] = puzzle;
+  return { ...one, attempts, puzzles };
 }
 
 /** No attempt is lost, but beyond the limit; then those that solved come before others. */

@@ -1,7 +1,7 @@
 // The model: whether its weights are there, and what the worker has answered about the open puzzle. An answer about
 // another puzzle comes too late and changes nothing.
 
-import type { Ball, ImaginedBall, Luck, Maps, ModelCard, TriedProposal } from "../../pkg/page/pathlight.js";
+import type { Ball, FoundSolutions, ImaginedBall, Luck, Maps, ModelCard, TriedProposal } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
 export type Model =
@@ -26,6 +26,8 @@ export interface Answers {
   readonly turn: readonly TriedProposal[];
   readonly guess: { readonly of: Ball; readonly imagined: ImaginedBall } | null;
   readonly solutions: Solutions | null;
+  /** What the search for an easy ball has found so far. */
+  readonly found: FoundSolutions | null;
   readonly luck: { readonly of: Ball; readonly found: Luck } | null;
 }
 
@@ -38,7 +40,15 @@ export interface Solutions {
 }
 
 export const MODEL_OFF: Model = { kind: "off" };
-export const NO_ANSWERS: Answers = { maps: null, practised: null, turn: [], guess: null, solutions: null, luck: null };
+export const NO_ANSWERS: Answers = {
+  maps: null,
+  practised: null,
+  turn: [],
+  guess: null,
+  solutions: null,
+  found: null,
+  luck: null,
+};
 
 export function setModel(state: State, model: Model): State {
   return { ...state, model };

@@ -7,12 +7,14 @@ import type { Puzzle } from "../puzzle.ts";
 import type { State } from "../state.ts";
 
 /** The panels beside the scene, in the order of their tabs; view/panels.ts shows them. */
-export const PANELS = ["play"] as const;
+export const PANELS = ["play", "make"] as const;
 export type Panel = (typeof PANELS)[number];
 
 export interface Route {
   /** "00007:008"; null: none is named. */
   readonly task: string | null;
+  /** A custom scene as text (core/scene-link.ts); null: a task is open. */
+  readonly scene: string | null;
   readonly panel: Panel;
   /** The maps over the scene. */
   readonly layers: readonly MapName[];
@@ -23,7 +25,7 @@ export interface Link extends Route {
   readonly ball: Ball | null;
 }
 
-export const START: Link = { task: null, panel: "play", layers: [], ball: null };
+export const START: Link = { task: null, scene: null, panel: "play", layers: [], ball: null };
 
 /** Goes elsewhere within the open puzzle. A ball that the link does not name stays where it is. */
 export function routed(state: State, { ball, ...route }: Link): State {
@@ -33,7 +35,7 @@ export function routed(state: State, { ball, ...route }: Link): State {
 
 /** Goes to another puzzle, which has been opened. */
 export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): State {
-  const there = { ...state, route, puzzle, placement: NO_BALL, run: null, answers: NO_ANSWERS, check: null };
+  const there = { ...state, route, puzzle, placement: NO_BALL, run: null, answers: NO_ANSWERS, check: null, make: null };
   return { ...(ball ? place(there, ball, null) : there), notice: null };
 }
 

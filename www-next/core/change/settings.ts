@@ -1,6 +1,7 @@
 // The device and the language of the page, and what it says when something goes wrong.
 
 import type { Language, Theme } from "./kept.ts";
+import type { NamedProblem } from "../derived/bodies.ts";
 import type { State } from "../state.ts";
 import type { Text } from "../../text/text.ts";
 
@@ -11,10 +12,16 @@ export interface Device {
   readonly stillness: boolean;
 }
 
+/** Why a scene may not be played; null: there is none. */
+export interface BadScene {
+  readonly problem: NamedProblem | null;
+}
+
 /** The text has the words. */
 export type Notice =
   | { readonly kind: "no_task"; readonly task: string }
   | { readonly kind: "unread_link"; readonly parts: readonly string[] }
+  | ({ readonly kind: "bad_scene" | "bad_file" } & BadScene)
   | { readonly kind: "storage_full" };
 
 export function setDevice(state: State, device: Device): State {

@@ -36,7 +36,8 @@ export interface Round {
   readonly model: { readonly solved: boolean } | null;
 }
 
-export type Step = "drop" | "pause" | "play" | "again" | "next";
+/** While a puzzle is made, it is tried, and one comes back to it. */
+export type Step = "drop" | "pause" | "play" | "again" | "next" | "try" | "make";
 
 export function attempts({ kept, puzzle }: State): readonly AttemptLine[] {
   return kept.attempts[puzzle.key] ?? [];
@@ -109,8 +110,10 @@ export function missesInARow(state: State): number {
 
 /** What the large button does. */
 export function nextStep(state: State): Step {
-  if (!state.run) return "drop";
+  const isMaking = state.route.panel === "make";
+  if (!state.run) return isMaking ? "try" : "drop";
   if (!ended(state)) return state.run.playing ? "pause" : "play";
+  if (isMaking) return "make";
   return state.run.round !== null && playerSolvedAt(state) !== null ? "next" : "again";
 }
 

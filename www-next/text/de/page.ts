@@ -1,6 +1,7 @@
 // The page round the scene: header, menu, and what is said when something goes wrong.
 
 import { formatsOf } from "../formats.ts";
+import { make } from "./make.ts";
 import type { Failure } from "../../core/change/model.ts";
 import type { Text } from "../text.ts";
 
@@ -37,6 +38,10 @@ export const page: Text["page"] = {
         return `Ein Rätsel ${notice.task} gibt es nicht. Die Nummern gehen von 00000:000 bis 00024:099.`;
       case "unread_link":
         return `Dieser Link enthält etwas, das Pathlight nicht versteht: ${notice.parts.join(", ")}.`;
+      case "bad_scene":
+        return `Das Rätsel dieses Links lässt sich nicht öffnen: ${notice.problem ? make.problem(notice.problem) : "Ein Teil des Links fehlt. Lass ihn dir noch einmal schicken."}`;
+      case "bad_file":
+        return `Diese Datei wurde nicht geöffnet: ${notice.problem ? make.problem(notice.problem) : "Darin ist kein Rätsel von Pathlight."}`;
       case "storage_full":
         return "In diesem Browser ist kein Platz mehr: Was du jetzt spielst, ist vergessen, wenn du gehst.";
     }

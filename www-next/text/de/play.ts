@@ -30,7 +30,7 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 
 export const play: Text["play"] = {
   tab: "Spielen",
-  step: { drop: "Fallen lassen", pause: "Pause", play: "Weiter", again: "Neuer Versuch", next: "Nächstes Rätsel" },
+  step: { drop: "Fallen lassen", pause: "Pause", play: "Weiter", again: "Neuer Versuch", next: "Nächstes Rätsel", try: "Spielen", make: "Weiterbauen" },
   placeFirst: "Klick oder tipp in die Szene, um deine rote Kugel zu setzen. Danach fasst niemand mehr etwas an.",
   ready: "Bereit. Lass sie fallen!",
   running: "Jetzt fasst niemand mehr etwas an.",
@@ -81,11 +81,7 @@ export const play: Text["play"] = {
     success: "Was gelingt",
   },
 
-  check: "Alle Plätze zeigen, die gehen",
-  checkHint: "Dreimal verfehlt: Möchtest du sehen, wo eine Kugel geht?",
-  checkRadius: "Radius der Kugeln",
-  checking: (progress) => `${percent(progress)} probiert. Gelb: geht. Gestreift: kein Platz für die Kugel.`,
-
   practised: "Achtung: Genau dieses Rätsel hat das Modell geübt.",
+  unknown: "Dieses Rätsel ist für das Modell so neu wie für dich.",
   unseen: "Das Modell kennt diese Art, aber nicht dieses Rätsel.",
 };

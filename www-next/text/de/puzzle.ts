@@ -2,6 +2,7 @@
 
 import { MAX_RADIUS, MIN_RADIUS } from "../../pkg/constants.ts";
 import { GOAL_SECONDS, formatsOf } from "../formats.ts";
+import type { Named } from "../../core/derived/bodies.ts";
 import type { Text } from "../text.ts";
 import type { Body } from "../../pkg/page/pathlight.js";
 
@@ -145,7 +146,7 @@ const ARTICLES = {
   accusative: { f: ["die", "e"], m: ["den", "en"], n: ["das", "e"], pl: ["die", "en"] },
 } as const;
 
-function theBody({ role, shape }: Body, form: Case = "nominative"): string {
+export function theBody({ role, shape }: Named, form: Case = "nominative"): string {
   const [gender, noun] = SHAPES[shape];
   const [article, ending] = ARTICLES[form][gender];
   return `${article} ${COLOURS[role]}${ending} ${noun}`;

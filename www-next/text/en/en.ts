@@ -1,5 +1,7 @@
+import { check } from "./check.ts";
+import { make } from "./make.ts";
 import { page } from "./page.ts";
 import { play } from "./play.ts";
 import { puzzle } from "./puzzle.ts";
 
-export const en = { language: "en", page, play, puzzle };
+export const en = { language: "en", check, make, page, play, puzzle };

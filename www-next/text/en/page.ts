@@ -3,6 +3,7 @@
 import type { Failure } from "../../core/change/model.ts";
 import type { Notice } from "../../core/change/settings.ts";
 import { formatsOf } from "../formats.ts";
+import { make } from "./make.ts";
 
 const { percent } = formatsOf("en-GB");
 
@@ -37,6 +38,10 @@ export const page = {
         return `There is no puzzle ${notice.task}. Numbers go from 00000:000 to 00024:099.`;
       case "unread_link":
         return `This link has a part that Pathlight does not understand: ${notice.parts.join(", ")}.`;
+      case "bad_scene":
+        return `This link’s puzzle cannot be opened: ${notice.problem ? make.problem(notice.problem) : "a part of the link is missing. Ask for it again."}`;
+      case "bad_file":
+        return `This file was not opened: ${notice.problem ? make.problem(notice.problem) : "it holds no puzzles of Pathlight."}`;
       case "storage_full":
         return "This browser has no room left: what you play now is forgotten when you leave.";
     }

@@ -30,7 +30,7 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 
 export const play = {
   tab: "Play",
-  step: { drop: "Drop it", pause: "Pause", play: "Go on", again: "Try again", next: "Next puzzle" },
+  step: { drop: "Drop it", pause: "Pause", play: "Go on", again: "Try again", next: "Next puzzle", try: "Play it", make: "Back to making" },
   placeFirst: "Click or tap the scene to place your red ball. Nobody touches anything after that.",
   ready: "Ready. Drop it!",
   running: "Now nobody touches anything.",
@@ -82,11 +82,7 @@ export const play = {
     success: "What works",
   } satisfies Record<MapName, string>,
 
-  check: "Show every place that works",
-  checkHint: "Three misses: would you like to see where a ball works?",
-  checkRadius: "Radius of the balls",
-  checking: (progress: number) => `${percent(progress)} tried. Yellow: works. Striped: no room for the ball.`,
-
   practised: "Careful: the model trained on this very puzzle.",
+  unknown: "This puzzle is new to the model, as it is to you.",
   unseen: "The model has practised puzzles of this kind, but not this one.",
 };

@@ -2,6 +2,7 @@
 
 import { MAX_RADIUS, MIN_RADIUS, TEMPLATES } from "../../pkg/constants.ts";
 import { GOAL_SECONDS, formatsOf } from "../formats.ts";
+import type { Named } from "../../core/derived/bodies.ts";
 import type { About, Body, InvalidBall } from "../../pkg/page/pathlight.js";
 
 const { number } = formatsOf("en-GB");
@@ -13,11 +14,11 @@ const SHAPES: Record<Body["shape"], string> = {
 };
 const kinds = new Map(TEMPLATES.map((template) => [template.id, template]));
 
-const body = ({ role, shape }: Body) => `${role} ${SHAPES[shape]}`;
+const body = ({ role, shape }: Named) => `${role} ${SHAPES[shape]}`;
 const placed = (one: Body) => `${body(one)} at x ${number(one.x)}, y ${number(one.y)}`;
 
 export const puzzle = {
-  name: ({ id, name }: About) => (id ? kinds.get(id.slice(0, 5))!.name : (name ?? "Custom puzzle")),
+  name: ({ id, name }: Pick<About, "id" | "name">) => (id ? kinds.get(id.slice(0, 5))!.name : (name ?? "Custom puzzle")),
   /** What happens in it, and what to do. */
   instructions: ({ id }: About) => (id ? kinds.get(id.slice(0, 5))!.story : "Somebody made this scene."),
   goal: (object: Body, target: Body) =>

@@ -1,0 +1,23 @@
+// What follows from the check, as far as it has been tried.
+
+import { solutions } from "./placing.ts";
+import type { State } from "../state.ts";
+
+/** The outcome of a place where a ball works, as the wasm numbers them. */
+const SOLVED = 3;
+
+/** The share of all places where a ball works. */
+export function working(state: State): number {
+  const outcomes = solutions(state)?.outcomes ?? new Uint8Array(1);
+  return outcomes.reduce((sum, outcome) => sum + Number(outcome === SOLVED), 0) / outcomes.length;
+}
+
+/** How much of the model's map of places lies where a ball works; null while either is unknown. */
+export function agreement(state: State): number | null {
+  const found = solutions(state);
+  const map = state.answers.maps?.placement;
+  if (!found || found.progress < 1 || !map) return null;
+  const total = map.reduce((sum, value) => sum + value, 0);
+  const right = map.reduce((sum, value, place) => sum + (found.outcomes[place] === SOLVED ? value : 0), 0);
+  return total > 0 ? right / total : null;
+}

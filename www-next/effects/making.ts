@@ -1,0 +1,46 @@
+// The scene that is made becomes the puzzle once a gesture has ended; and puzzles as files: the JSON of one, or an array.
+
+import { remade } from "../core/change/make.ts";
+import { namedProblem } from "../core/derived/bodies.ts";
+import { textOfScene } from "../core/scene-link.ts";
+import { openPuzzle, problemsOf } from "../simulator.ts";
+import type { BadScene } from "../core/change/settings.ts";
+import type { State } from "../core/state.ts";
+import type { Effect } from "../core/store.ts";
+import type { CustomScene } from "../pkg/page/pathlight.js";
+
+export const makingEffect: Effect<State> = {
+  needs: ({ make }) => (make && !make.drag ? [make.scene] : null),
+  async run(store, signal) {
+    const { make, puzzle } = store.state;
+    if (!make || make.scene === puzzle.custom || problemsOf(make.scene).length) return;
+    const next = openPuzzle(make.scene);
+    const link = await textOfScene(next.custom);
+    if (!signal.aborted) store.change(remade, next, link);
+  },
+};
+
+/** More would freeze the page, bytes. */
+const MOST = 8e6;
+
+export function savePuzzle(scene: CustomScene, name: string): void {
+  const url = URL.createObjectURL(new Blob([JSON.stringify(scene, null, 1)], { type: "application/json" }));
+  Object.assign(document.createElement("a"), { href: url, download: `${fileName(name)}.json` }).click();
+  setTimeout(() => URL.revokeObjectURL(url));
+}
+
+/** Reads the puzzles of a file, or the first that may not be played. */
+export async function readPuzzles(file: File): Promise<readonly CustomScene[] | BadScene> {
+  const value = file.size > MOST ? null : await file.text().then(JSON.parse).catch(() => null);
+  const scenes: CustomScene[] = Array.isArray(value) ? value : [value];
+  for (const scene of scenes) {
+    if (!scene || typeof scene !== "object") return { problem: null };
+    const [problem] = problemsOf(scene);
+    if (problem) return { problem: namedProblem(scene, problem) };
+  }
+  return scenes.length ? scenes : { problem: null };
+}
+
+function fileName(name: string): string {
+  return name.toLowerCase().replaceAll(/[^\p{L}\p{N}]+/gu, "-").replaceAll(/^-|-$/g, "") || "puzzle";
+}

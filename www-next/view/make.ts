@@ -1,0 +1,247 @@
+// The panel Make: bodies to add, what the selected one is, its numbers, and the puzzle to keep or send.
+
+import { html, nothing } from "lit-html";
+import { live } from "lit-html/directives/live.js";
+import { openScene } from "../actions.ts";
+import { choose, keepPuzzles } from "../core/change/kept.ts";
+import {
+  add,
+  duplicate,
+  empty,
+  isSettled,
+  making,
+  mayAdd,
+  mayBe,
+  mayRemove,
+  moveTo,
+  remove,
+  rename,
+  resizeTo,
+  select,
+  selectedBody,
+  setRole,
+  turnTo,
+} from "../core/change/make.ts";
+import { setNotice } from "../core/change/settings.ts";
+import { SIZES, circleOf, degreesOf, namedOf, namedProblem, roleOf, sizeOf } from "../core/derived/bodies.ts";
+import { readPuzzles, savePuzzle } from "../effects/making.ts";
+import { SCENE_LIMITS, SCENE_SIZE } from "../pkg/constants.ts";
+import { fits, openPuzzle, problemsOf } from "../simulator.ts";
+import { check } from "./check.ts";
+import { checkbox } from "./widgets.ts";
+import type { Role, Shape } from "../core/derived/bodies.ts";
+import type { State } from "../core/state.ts";
+import type { SceneProblem } from "../pkg/page/pathlight.js";
+import type { App, View } from "./view.ts";
+
+export function make(app: App): View {
+  const { store } = app;
+  const { kept, text } = store.state;
+  return html`${tools(app)} ${selected(app)} ${details(app)}
+  ${checkbox(kept.live, text.make.live, (live) => store.change(choose, { live }))} ${check(app)} ${keeping(app)}
+  ${yours(app)}`;
+}
+
+/** What is wrong, beside the body that has it. */
+export function problem({ store }: App): View {
+  const { state } = store;
+  const [first] = problemsHere(state);
+  if (!first || state.run) return nothing;
+  const body = making(state).scene.bodies[first.body ?? -1];
+  const { centre, radius } = body ? circleOf(body) : { centre: [128, 128] as const, radius: 0 };
+  // Above the body, or below where there is no room.
+  const isHigh = centre[1] + radius > 0.8 * SCENE_SIZE;
+  const within = (value: number) => Math.min(Math.max(value, 0.08 * SCENE_SIZE), 0.92 * SCENE_SIZE);
+  const bottom = within(isHigh ? centre[1] - radius - 40 : centre[1] + radius + 6) / SCENE_SIZE;
+  const left = Math.min(Math.max(centre[0] / SCENE_SIZE, 0.3), 0.7);
+  const place = `left:${left * 100}%;bottom:${bottom * 100}%`;
+  return html`<p class="problem" .style=${place}>${problemWords(state, first)}</p>`;
+}
+
+/** What is wrong with the scene that is made, while it is seen. */
+export function problemsHere(state: State): readonly SceneProblem[] {
+  return state.route.panel === "make" ? problemsOf(making(state).scene) : [];
+}
+
+/** The selected body and what is wrong, for whoever cannot see it. */
+export function madeInWords(state: State): string {
+  const { scene, selected } = making(state);
+  const body = selectedBody(state);
+  const sizes = body ? SIZES[body.shape].map((size) => [size, sizeOf(body, size)] as const) : [];
+  return [
+    body && state.text.make.described(namedOf(scene, selected)!, body.x, body.y, degreesOf(body), sizes),
+    ...problemsHere(state).map((problem) => problemWords(state, problem)),
+  ]
+    .filter(Boolean)
+    .join(" ");
+}
+
+function problemWords(state: State, problem: SceneProblem): string {
+  return state.text.make.problem(namedProblem(making(state).scene, problem));
+}
+
+function tools({ store }: App): View {
+  const { state } = store;
+  const { text } = state;
+  return html`<div class="row" role="group" aria-label=${text.make.add}>
+    ${(Object.keys(SIZES) as Shape[]).map(
+      (shape) =>
+        html`<button ?disabled=${!mayAdd(state)} @click=${() => store.change(add, shape, fits)}>
+          ${text.make.shapes[shape]}
+        </button>`,
+    )}
+    <button @click=${() => store.change(empty)}>${text.make.empty}</button>
+  </div>`;
+}
+
+function selected({ store }: App): View {
+  const { state } = store;
+  const { text } = state;
+  const { scene, selected } = making(state);
+  if (selected === null) return nothing;
+  const role = roleOf(scene, selected);
+  return html`<div class="row" role="group" aria-label=${text.make.selected}>
+    <label class="field">
+      ${text.make.role}
+      <select @change=${({ target }: Event) => store.change(setRole, (target as HTMLSelectElement).value as Role)}>
+        ${(Object.entries(text.make.roles) as [Role, string][]).map(
+          ([one, words]) =>
+            html`<option value=${one} ?disabled=${!mayBe(state, one)} .selected=${live(one === role)}>${words}</option>`,
+        )}
+      </select>
+    </label>
+    <button ?disabled=${!mayAdd(state)} @click=${() => store.change(duplicate, fits)}>${text.make.duplicate}</button>
+    <button ?disabled=${!mayRemove(state)} @click=${() => store.change(remove)}>${text.make.remove}</button>
+  </div>`;
+}
+
+function details({ store }: App): View {
+  const { state } = store;
+  const { text } = state;
+  const { scene, selected } = making(state);
+  const body = selectedBody(state);
+  return html`<details>
+    <summary>${text.make.details}</summary>
+    <div class="row">
+      <label class="field">
+        ${text.make.body}
+        <select @change=${chosen}>
+          <option value="" .selected=${live(selected === null)}>${text.make.nothing}</option>
+          ${scene.bodies.map(
+            (_, index) =>
+              html`<option value=${index} .selected=${live(index === selected)}>
+                ${text.make.named(namedOf(scene, index)!, index)}
+              </option>`,
+          )}
+        </select>
+      </label>
+      ${
+        body
+          ? html`${number("x", body.x, (x) => store.change(moveTo, x, body.y, null))}
+            ${number("y", body.y, (y) => store.change(moveTo, body.x, y, null))}
+            ${number(text.make.angle, degreesOf(body), (degrees) => store.change(turnTo, degrees, null))}
+            ${SIZES[body.shape].map((size) =>
+              number(text.make.sizes[size], sizeOf(body, size), (value) => store.change(resizeTo, size, value, null)),
+            )}`
+          : nothing
+      }
+    </div>
+    <p class="quiet">${text.make.keys}</p>
+  </details>`;
+
+  function chosen({ target }: Event): void {
+    const { value } = target as HTMLSelectElement;
+    store.change(select, value === "" ? null : Number(value));
+  }
+}
+
+/** The largest number that is taken: a body further away could not be found again. */
+const FARTHEST = 1e5;
+
+function number(label: string, value: number, onTyped: (value: number) => void): View {
+  const shown = String(Math.round(value * 100) / 100);
+  return html`<label class="field">
+    ${label} <input class="number" type="number" step="any" .value=${live(shown)} @change=${typed} />
+  </label>`;
+
+  function typed({ target }: Event): void {
+    const field = target as HTMLInputElement;
+    const now = field.valueAsNumber;
+    // A field that is emptied, or far off, gets its number back.
+    field.value = shown;
+    if (Math.abs(now) <= FARTHEST) onTyped(now);
+  }
+}
+
+function keeping({ store }: App): View {
+  const { state } = store;
+  const { text, puzzle, kept } = state;
+  const { scene } = making(state);
+  const isPlayable = isSettled(state);
+  const isCustom = isPlayable && puzzle.about.id === null;
+  const there = kept.puzzles[puzzle.key]?.scene;
+  const isKept = isCustom && there != null && there.name === scene.name;
+  return html`<div class="row">
+      <label class="field wide">
+        ${text.make.name}
+        <input
+          type="text"
+          maxlength=${SCENE_LIMITS.name_length}
+          autocomplete="off"
+          placeholder=${text.puzzle.name(puzzle.about)}
+          .value=${live(scene.name ?? "")}
+          @change=${({ target }: Event) => store.change(rename, (target as HTMLInputElement).value)}
+        />
+      </label>
+      <button ?disabled=${!isCustom || isKept} @click=${keep}>${isKept ? text.make.kept : text.make.keep}</button>
+      <button ?disabled=${!isPlayable} @click=${() => savePuzzle(puzzle.custom, text.puzzle.name(puzzle.about))}>
+        ${text.make.save}
+      </button>
+      <label class="file">
+        ${text.make.open}<input class="unseen" type="file" accept=".json,application/json" @change=${opened} />
+      </label>
+    </div>
+    ${isCustom ? html`<p class="quiet">${text.make.link}</p>` : nothing}`;
+
+  function keep(): void {
+    store.change(keepPuzzles, { [puzzle.key]: puzzle.custom }, Date.now());
+  }
+
+  async function opened({ target }: Event): Promise<void> {
+    const field = target as HTMLInputElement;
+    const [file] = field.files ?? [];
+    if (!file) return;
+    const read = await readPuzzles(file);
+    field.value = "";
+    if ("problem" in read) return store.change(setNotice, { kind: "bad_file", ...read });
+    if (read.length === 1) return openScene(store, read[0]!);
+    const puzzles = read.map((scene) => openPuzzle(scene));
+    store.change(keepPuzzles, Object.fromEntries(puzzles.map(({ key, custom }) => [key, custom])), Date.now());
+  }
+}
+
+function yours({ store }: App): View {
+  const { kept, text } = store.state;
+  const puzzles = Object.entries(kept.puzzles).flatMap(([key, { scene }]) =>
+    scene && problemsOf(scene).length === 0 ? [{ key, scene }] : [],
+  );
+  if (puzzles.length === 0) return nothing;
+  return html`<details>
+    <summary>${text.make.yours(puzzles.length)}</summary>
+    <ul class="kept">
+      ${puzzles.map(({ key, scene }) => {
+        const name = text.puzzle.name({ id: null, name: scene.name ?? null });
+        return html`<li>
+          <button @click=${() => openScene(store, scene)}>${name}</button>
+          <button
+            class="small"
+            aria-label=${text.make.forget(name)}
+            @click=${() => store.change(keepPuzzles, { [key]: null }, Date.now())}
+          >
+            ✕
+          </button>
+        </li>`;
+      })}
+    </ul>
+  </details>`;
+}
