@@ -2,12 +2,12 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { NOTHING_KEPT, choose, merged, mergeKept } from "../../www-next/core/change/kept.ts";
+import { NOTHING_KEPT, choose, keepPuzzles, merged, mergeKept } from "../../www-next/core/change/kept.ts";
 import { attempts } from "../../www-next/core/derived/duel.ts";
 import { Store } from "../../www-next/core/store.ts";
 import { keepingEffect, keptFrom, readKept } from "../../www-next/effects/keeping.ts";
 import { ATTEMPT_LIMIT } from "../../www-next/pkg/constants.ts";
-import { MISSING, SOLVING, fresh, line, playAt } from "./player.ts";
+import { CUSTOM, MISSING, SOLVING, fresh, line, playAt } from "./player.ts";
 import type { Kept } from "../../www-next/core/change/kept.ts";
 import type { Ball } from "../../www-next/pkg/page/pathlight.js";
 
@@ -61,6 +61,14 @@ test("what another tab has kept joins this one's, and its choices hold", () => {
     [SOLVING, MISSING],
   );
   assert.deepEqual([joined.kept.language, joined.run], ["de", null]);
+});
+
+test("of a custom puzzle what was done last counts, also that it was deleted", () => {
+  const here = keepPuzzles(fresh, { a: CUSTOM, b: CUSTOM }, 1).kept;
+  const there = keepPuzzles(keepPuzzles(fresh, { a: null }, 2), { b: null, c: CUSTOM }, 0).kept;
+  for (const { puzzles } of [merged(here, there), merged(there, here)])
+    assert.deepEqual([puzzles.a?.scene, puzzles.b?.scene, puzzles.c?.scene], [null, CUSTOM, CUSTOM]);
+  assert.deepEqual(keptFrom({ ...here, puzzles: { ...here.puzzles, d: 7, e: { scene: {}, changed: 1 } } }), here);
 });
 
 test("only what is understood of this version's document is read", () => {

@@ -10,7 +10,14 @@ import { start } from "../../www-next/core/state.ts";
 import { en } from "../../www-next/text/en/en.ts";
 import type { Puzzle } from "../../www-next/core/puzzle.ts";
 import type { State } from "../../www-next/core/state.ts";
-import type { AttemptLine, Ball, Body, CustomScene, RolloutFacts, TriedProposal } from "../../www-next/pkg/page/pathlight.js";
+import type {
+  AttemptLine,
+  Ball,
+  Body,
+  CustomScene,
+  RolloutFacts,
+  TriedProposal,
+} from "../../www-next/pkg/page/pathlight.js";
 
 export const SOLVING: Ball = [220, 100, 12];
 export const MISSING: Ball = [100, 100, 12];

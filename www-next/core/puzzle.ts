@@ -1,7 +1,15 @@
 // An open puzzle as the core sees it: pure questions about balls. `simulator.ts` answers them by wasm, a test by a few
 // lines of its own.
 
-import type { About, Ball, CustomScene, InvalidBall, Puzzle as Source, RolloutFacts, Scene } from "../pkg/page/pathlight.js";
+import type {
+  About,
+  Ball,
+  CustomScene,
+  InvalidBall,
+  Puzzle as Source,
+  RolloutFacts,
+  Scene,
+} from "../pkg/page/pathlight.js";
 
 export interface Puzzle {
   /** The id of a task, or a custom scene: what the worker is asked about. */

@@ -9,7 +9,10 @@ export async function textOfScene(scene: CustomScene): Promise<string> {
   const json = new Blob([JSON.stringify(scene)]).stream();
   const deflated = new Response(json.pipeThrough(new CompressionStream("deflate-raw")));
   const bytes = new Uint8Array(await deflated.arrayBuffer());
-  return btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  return btoa(String.fromCharCode(...bytes))
+    .replaceAll("+", "-")
+    .replaceAll("/", "_")
+    .replaceAll("=", "");
 }
 
 /** Whatever a text holds: it may be no scene. Rejects if the text is damaged. */

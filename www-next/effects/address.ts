@@ -93,8 +93,7 @@ export const addressEffect: Effect<State> = {
     const { task, scene, panel } = state.route;
     // A puzzle that is being changed stays one step.
     const isOther = link.task !== task || (link.scene !== scene && (link.scene === null || state.make === null));
-    if (location.hash && (isOther || link.panel !== panel))
-      return history.pushState(null, "", address);
+    if (location.hash && (isOther || link.panel !== panel)) return history.pushState(null, "", address);
     await rested(signal);
     if (!signal.aborted) history.replaceState(null, "", address);
   },

@@ -31,7 +31,13 @@ export function savePuzzle(scene: CustomScene, name: string): void {
 
 /** Reads the puzzles of a file, or the first that may not be played. */
 export async function readPuzzles(file: File): Promise<readonly CustomScene[] | BadScene> {
-  const value = file.size > MOST ? null : await file.text().then(JSON.parse).catch(() => null);
+  const value =
+    file.size > MOST
+      ? null
+      : await file
+          .text()
+          .then(JSON.parse)
+          .catch(() => null);
   const scenes: CustomScene[] = Array.isArray(value) ? value : [value];
   for (const scene of scenes) {
     if (!scene || typeof scene !== "object") return { problem: null };
@@ -42,5 +48,10 @@ export async function readPuzzles(file: File): Promise<readonly CustomScene[] | 
 }
 
 function fileName(name: string): string {
-  return name.toLowerCase().replaceAll(/[^\p{L}\p{N}]+/gu, "-").replaceAll(/^-|-$/g, "") || "puzzle";
+  return (
+    name
+      .toLowerCase()
+      .replaceAll(/[^\p{L}\p{N}]+/gu, "-")
+      .replaceAll(/^-|-$/g, "") || "puzzle"
+  );
 }

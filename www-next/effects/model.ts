@@ -33,7 +33,8 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
 
   // One ball more than has been played, so that the next drop need not wait.
   const turn: Effect<State> = {
-    needs: (state) => (state.kept.alone || state.route.panel === "make" ? null : ifReady(state, state.puzzle, attempts(state).length)),
+    needs: (state) =>
+      state.kept.alone || state.route.panel === "make" ? null : ifReady(state, state.puzzle, attempts(state).length),
     run: (store, signal) =>
       ask(store, async ({ source }) => ({
         turn: await client.call("turn", [source, attempts(store.state).length + 1], signal),

@@ -13,7 +13,7 @@ import type { State } from "../core/state.ts";
 /** Radius of the knob, CSS px. */
 const KNOB = 7;
 const MAP_OPACITY = 0.8;
-/** What is shown of the model while the scene is changed, unless other maps have been chosen. */
+/** What is shown of the model while the scene is changed, unless there is something else to see. */
 const LIVE = ["base"] as const;
 
 export class Stage {
@@ -100,7 +100,7 @@ function viewOf(state: State, knob: number): View {
 function pictures(state: State): HTMLCanvasElement[] {
   const { maps } = state.answers;
   const chosen = state.route.layers;
-  const layers = isMade(state) && state.kept.live && chosen.length === 0 ? LIVE : chosen;
+  const layers = isMade(state) && state.kept.live && !chosen.length && !state.check ? LIVE : chosen;
   const dark = isDark(state);
   const found = isSettled(state) ? solutions(state) : null;
   const shown = layers.flatMap((name) => {

@@ -37,6 +37,5 @@ export function check({ store }: App): View {
     }
     ${agreed === null ? nothing : html`<p class="quiet">${text.check.agrees(agreed)}</p>`}
     <button @click=${() => store.change(toggleSeeking)}>${check.seeking ? text.check.stop : text.check.seek}</button>
-    ${answers.found ? html`<p>${text.check.found(answers.found)}</p>` : nothing}
   </div>`;
 }

@@ -20,7 +20,11 @@ export function controls(app: App): View {
   const { state } = store;
   const step = nextStep(state);
   const canDrop = state.placement.ball !== null && fault(state) === null && !attemptLimitReached(state);
-  return html`<button class="step ${step}" aria-disabled=${step === "drop" ? !canDrop : step === "try" && problemsHere(state).length > 0} @click=${clicked}>
+  return html`<button
+      class="step ${step}"
+      aria-disabled=${step === "drop" ? !canDrop : step === "try" && problemsHere(state).length > 0}
+      @click=${clicked}
+    >
       ${state.text.play.step[step]}
     </button>
     ${state.run ? playback(app) : state.route.panel === "make" ? watch(app) : radius(app)}`;

@@ -24,6 +24,7 @@ export function header(app: App): View {
           size="9"
           spellcheck="false"
           autocomplete="off"
+          ?hidden=${puzzle.about.id === null}
           aria-label=${text.page.number}
           .value=${puzzle.about.id ?? ""}
           @change=${typed}

@@ -36,10 +36,14 @@ import type { App, View } from "./view.ts";
 
 export function make(app: App): View {
   const { store } = app;
-  const { kept, text } = store.state;
-  return html`${tools(app)} ${selected(app)} ${details(app)}
-  ${checkbox(kept.live, text.make.live, (live) => store.change(choose, { live }))} ${check(app)} ${keeping(app)}
-  ${yours(app)}`;
+  const { state } = store;
+  const { text } = state;
+  return html`${tools(app)} ${selected(app)} ${details(app)} ${check(app)}
+  ${
+    // The check takes its place in the scene.
+    state.check ? nothing : checkbox(state.kept.live, text.make.live, (live) => store.change(choose, { live }))
+  }
+  ${keeping(app)} ${yours(app)}`;
 }
 
 /** What is wrong, beside the body that has it. */
@@ -60,7 +64,13 @@ export function problem({ store }: App): View {
 
 /** What is wrong with the scene that is made, while it is seen. */
 export function problemsHere(state: State): readonly SceneProblem[] {
-  return state.route.panel === "make" ? problemsOf(making(state).scene) : [];
+  if (state.route.panel !== "make") return [];
+  const { scene, selected } = making(state);
+  // The body that the person has in hand is the one that is in the way of others.
+  const turned = problemsOf(scene).map((one) =>
+    one.other === selected && one.other !== null ? { ...one, body: one.other, other: one.body } : one,
+  );
+  return turned.sort((one, other) => Number(other.body === selected) - Number(one.body === selected));
 }
 
 /** The selected body and what is wrong, for whoever cannot see it. */
@@ -106,7 +116,9 @@ function selected({ store }: App): View {
       <select @change=${({ target }: Event) => store.change(setRole, (target as HTMLSelectElement).value as Role)}>
         ${(Object.entries(text.make.roles) as [Role, string][]).map(
           ([one, words]) =>
-            html`<option value=${one} ?disabled=${!mayBe(state, one)} .selected=${live(one === role)}>${words}</option>`,
+            html`<option value=${one} ?disabled=${!mayBe(state, one)} .selected=${live(one === role)}>
+              ${words}
+            </option>`,
         )}
       </select>
     </label>
@@ -161,7 +173,7 @@ const FARTHEST = 1e5;
 function number(label: string, value: number, onTyped: (value: number) => void): View {
   const shown = String(Math.round(value * 100) / 100);
   return html`<label class="field">
-    ${label} <input class="number" type="number" step="any" .value=${live(shown)} @change=${typed} />
+    ${label} <input class="figure" type="number" step="any" .value=${live(shown)} @change=${typed} />
   </label>`;
 
   function typed({ target }: Event): void {

@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit-html";
 import { show } from "../core/change/run.ts";
+import { searched } from "../core/derived/check.ts";
 import { attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
 import { fault, goal } from "../core/derived/placing.ts";
 import { ended } from "../core/derived/run.ts";
@@ -22,8 +23,8 @@ export function news(app: App): View {
 
 /** The same for a screen reader, once nothing moves: it would never come to an end. */
 export function announcement(state: State): string {
-  if (state.placement.drag || state.make?.drag || state.run?.playing) return "";
-  if (state.route.panel === "make" && !state.run) return madeInWords(state) || hint(state);
+  if (state.placement.drag || state.make?.drag || state.run?.playing || state.check?.seeking) return "";
+  if (state.route.panel === "make" && !state.run && !searched(state)) return madeInWords(state) || hint(state);
   const told = verdict(state);
   return told ? [state.text.play.verdict(told), ...details(state, told)].join(" ") : hint(state);
 }
@@ -32,14 +33,17 @@ export function announcement(state: State): string {
 export function description({ puzzle, placement, text, ...state }: State): string {
   const [object, target] = goal({ puzzle, placement, text, ...state });
   const others = puzzle.scene.bodies.filter((body) => body !== object && body !== target);
-  const where = placement.ball ? text.puzzle.ballAt(...placement.ball) : text.play.placeFirst;
+  const first = state.route.panel === "make" ? text.make.hint : text.play.placeFirst;
+  const where = placement.ball ? text.puzzle.ballAt(...placement.ball) : first;
   return [text.puzzle.goal(object, target), text.puzzle.scene(object, target, others), where].join(" ");
 }
 
 function hint(state: State): string {
   const { text, puzzle, placement, route, run } = state;
   const wrong = fault(state);
+  const looked = searched(state);
   if (run) return ended(state) ? "" : text.play.running;
+  if (looked) return text.check.found(looked);
   if (route.panel === "make") return problemsHere(state).length ? text.make.broken : text.make.hint;
   if (wrong) return text.puzzle.fault(wrong, puzzle.scene.bodies);
   if (attemptLimitReached(state)) return text.play.full;

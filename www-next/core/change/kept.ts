@@ -52,7 +52,11 @@ export function choose(state: State, choices: Partial<Choices>): State {
 }
 
 /** Keeps custom puzzles by their keys, or deletes them. */
-export function keepPuzzles(state: State, scenes: Readonly<Record<string, CustomScene | null>>, changed: number): State {
+export function keepPuzzles(
+  state: State,
+  scenes: Readonly<Record<string, CustomScene | null>>,
+  changed: number,
+): State {
   const entries = Object.entries(scenes).map(([key, scene]) => [key, { scene, changed }] as const);
   return { ...state, kept: { ...state.kept, puzzles: { ...state.kept.puzzles, ...Object.fromEntries(entries) } } };
 }

@@ -236,8 +236,7 @@ export function drag(state: State, pointer: number, point: Point): State {
   if (drag?.pointer !== pointer || !body) return state;
   const gesture = `pointer ${pointer}`;
   if (drag.grip === "size") return resizeTo(state, SIZES[body.shape][0], onGrid(sizeAt(body, point), PX), gesture);
-  if (drag.grip === "turn")
-    return turnTo(state, onGrid(directionTo(body, point) + drag.offset[0], DEGREES), gesture);
+  if (drag.grip === "turn") return turnTo(state, onGrid(directionTo(body, point) + drag.offset[0], DEGREES), gesture);
   // The origin stays in the scene, so that the body can be grabbed again.
   const at = (axis: 0 | 1) => Math.min(Math.max(onGrid(point[axis] + drag.offset[axis], PX), 0), SCENE_SIZE);
   return moveTo(state, at(0), at(1), gesture);

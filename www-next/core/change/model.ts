@@ -1,7 +1,15 @@
 // The model: whether its weights are there, and what the worker has answered about the open puzzle. An answer about
 // another puzzle comes too late and changes nothing.
 
-import type { Ball, FoundSolutions, ImaginedBall, Luck, Maps, ModelCard, TriedProposal } from "../../pkg/page/pathlight.js";
+import type {
+  Ball,
+  FoundSolutions,
+  ImaginedBall,
+  Luck,
+  Maps,
+  ModelCard,
+  TriedProposal,
+} from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
 export type Model =

@@ -35,7 +35,16 @@ export function routed(state: State, { ball, ...route }: Link): State {
 
 /** Goes to another puzzle, which has been opened. */
 export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): State {
-  const there = { ...state, route, puzzle, placement: NO_BALL, run: null, answers: NO_ANSWERS, check: null, make: null };
+  const there = {
+    ...state,
+    route,
+    puzzle,
+    placement: NO_BALL,
+    run: null,
+    answers: NO_ANSWERS,
+    check: null,
+    make: null,
+  };
   return { ...(ball ? place(there, ball, null) : there), notice: null };
 }
 

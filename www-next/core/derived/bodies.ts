@@ -1,7 +1,14 @@
 // The bodies of a scene as a person handles them: where a pointer meets one, where its knobs are, and what a knob that is
 // dragged makes of it. Lengths in px, y up, angles in radians counter-clockwise.
 
-import { HALF_STICK, JAR_BASE, JAR_HEIGHT_PER_WIDTH, SCENE_LIMITS, SCENE_SIZE, STICK_LEAN } from "../../pkg/constants.ts";
+import {
+  HALF_STICK,
+  JAR_BASE,
+  JAR_HEIGHT_PER_WIDTH,
+  SCENE_LIMITS,
+  SCENE_SIZE,
+  STICK_LEAN,
+} from "../../pkg/constants.ts";
 import type { Body, CustomBody, CustomScene, SceneProblem } from "../../pkg/page/pathlight.js";
 import type { Point } from "../change/placement.ts";
 
@@ -129,10 +136,7 @@ export function knobsOf(body: CustomBody): { size: Point; turn: Point | null } {
     case "ball":
       return { size: inside(body, [body.radius, 0]), turn: null };
     case "bar":
-      return {
-        size: inside(body, [body.length / 2, 0]),
-        turn: inside(body, [0, body.thickness / 2 + TURN_DISTANCE]),
-      };
+      return { size: inside(body, [body.length / 2, 0]), turn: inside(body, [0, body.thickness / 2 + TURN_DISTANCE]) };
     case "jar":
       return {
         size: inside(body, [0, body.height]),

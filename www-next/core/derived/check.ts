@@ -1,10 +1,19 @@
 // What follows from the check, as far as it has been tried.
 
+import { sameBall } from "../puzzle.ts";
 import { solutions } from "./placing.ts";
+import type { FoundSolutions } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
 /** The outcome of a place where a ball works, as the wasm numbers them. */
 const SOLVED = 3;
+
+/** What there is to say of the search for an easy ball, until the person goes on. */
+export function searched({ check, answers: { found }, placement }: State): FoundSolutions | null {
+  if (!check || !found) return null;
+  const isOver = found.progress === 1;
+  return (isOver ? !found.easiest || sameBall(placement.ball, found.easiest) : check.seeking) ? found : null;
+}
 
 /** The share of all places where a ball works. */
 export function working(state: State): number {

@@ -30,7 +30,15 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 
 export const play: Text["play"] = {
   tab: "Spielen",
-  step: { drop: "Fallen lassen", pause: "Pause", play: "Weiter", again: "Neuer Versuch", next: "Nächstes Rätsel", try: "Spielen", make: "Weiterbauen" },
+  step: {
+    drop: "Fallen lassen",
+    pause: "Pause",
+    play: "Weiter",
+    again: "Neuer Versuch",
+    next: "Nächstes Rätsel",
+    try: "Spielen",
+    make: "Weiterbauen",
+  },
   placeFirst: "Klick oder tipp in die Szene, um deine rote Kugel zu setzen. Danach fasst niemand mehr etwas an.",
   ready: "Bereit. Lass sie fallen!",
   running: "Jetzt fasst niemand mehr etwas an.",

@@ -157,7 +157,7 @@ const placed = (one: Body) => `${theBody(one)} bei x ${number(one.x)}, y ${numbe
 
 export const puzzle: Text["puzzle"] = {
   name: ({ id, name }) => (id ? KINDS[id.slice(0, 5)]!.name : (name ?? "Eigenes Rätsel")),
-  instructions: ({ id }) => (id ? KINDS[id.slice(0, 5)]!.story : "Diese Szene hat jemand selbst gebaut."),
+  instructions: ({ id }) => (id ? KINDS[id.slice(0, 5)]!.story : "Diese Szene ist selbst gebaut."),
   goal: (object, target) =>
     `${upper(theBody(object))} ${object.shape === "standing_sticks" ? "sollen" : "soll"} ${GOAL_SECONDS} Sekunden lang ` +
     `${theBody(target, "accusative")} berühren.`,

@@ -30,7 +30,15 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 
 export const play = {
   tab: "Play",
-  step: { drop: "Drop it", pause: "Pause", play: "Go on", again: "Try again", next: "Next puzzle", try: "Play it", make: "Back to making" },
+  step: {
+    drop: "Drop it",
+    pause: "Pause",
+    play: "Go on",
+    again: "Try again",
+    next: "Next puzzle",
+    try: "Play it",
+    make: "Back to making",
+  },
   placeFirst: "Click or tap the scene to place your red ball. Nobody touches anything after that.",
   ready: "Ready. Drop it!",
   running: "Now nobody touches anything.",
