@@ -111,7 +111,9 @@ test("all by keys and fields: add, select, turn, numbers, role, copy, delete", a
   await scene(page).focus();
   await page.keyboard.press("d");
   assert.equal(await page.getByRole("combobox", { name: "Body" }).getByRole("option").count(), 5);
-  await page.keyboard.press("Delete");
+  // The button goes with the body, and the focus to the scene.
+  await button(page, "Delete").click();
+  assert.ok(await scene(page).evaluate((canvas) => canvas.matches(":focus")));
   await page.keyboard.press("n");
   await says(page, /Selected: the green ball/);
   assert.ok(await button(page, "Delete").isDisabled());
@@ -142,6 +144,9 @@ test("puzzles are kept, opened, and deleted; saved as a file, and opened from it
   const page = await openMake();
   assert.ok(await button(page, "Keep in this browser").isDisabled());
   await page.getByRole("textbox", { name: "Name" }).fill("Mine");
+  // What else changes meanwhile leaves what is being typed.
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.locator("html[data-theme=dark]").waitFor();
   await page.getByRole("textbox", { name: "Name" }).press("Enter");
   await title(page, "Mine");
   await button(page, "Keep in this browser").click();

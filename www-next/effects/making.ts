@@ -1,4 +1,4 @@
-// The scene that is made becomes the puzzle once a gesture has ended; and puzzles as files: the JSON of one, or an array.
+// The scene that is made becomes the puzzle once a gesture has ended. Puzzles as files: the JSON of one, or an array.
 
 import { remade } from "../core/change/make.ts";
 import { namedProblem } from "../core/derived/bodies.ts";

@@ -1,4 +1,4 @@
-// Over a scene that is being made: the ring and the knobs of the selected body, and rings round those that have a problem.
+// Over a scene that is being made: ring and knobs of the selected body, and rings round those that have a problem.
 
 import { circleOf, knobsOf } from "../core/derived/bodies.ts";
 import { DARK_PALETTE, LIGHT_PALETTE, SCENE_SIZE } from "../pkg/constants.ts";

@@ -104,7 +104,7 @@ function tools({ store }: App): View {
   </div>`;
 }
 
-function selected({ store }: App): View {
+function selected({ store, canvas }: App): View {
   const { state } = store;
   const { text } = state;
   const { scene, selected } = making(state);
@@ -123,8 +123,14 @@ function selected({ store }: App): View {
       </select>
     </label>
     <button ?disabled=${!mayAdd(state)} @click=${() => store.change(duplicate, fits)}>${text.make.duplicate}</button>
-    <button ?disabled=${!mayRemove(state)} @click=${() => store.change(remove)}>${text.make.remove}</button>
+    <button ?disabled=${!mayRemove(state)} @click=${removed}>${text.make.remove}</button>
   </div>`;
+
+  /** The button goes with the body. */
+  function removed(): void {
+    store.change(remove);
+    canvas.focus();
+  }
 }
 
 function details({ store }: App): View {
@@ -173,7 +179,7 @@ const FARTHEST = 1e5;
 function number(label: string, value: number, onTyped: (value: number) => void): View {
   const shown = String(Math.round(value * 100) / 100);
   return html`<label class="field">
-    ${label} <input class="figure" type="number" step="any" .value=${live(shown)} @change=${typed} />
+    ${label} <input class="figure" type="number" step="any" .value=${shown} @change=${typed} />
   </label>`;
 
   function typed({ target }: Event): void {
@@ -201,8 +207,8 @@ function keeping({ store }: App): View {
           maxlength=${SCENE_LIMITS.name_length}
           autocomplete="off"
           placeholder=${text.puzzle.name(puzzle.about)}
-          .value=${live(scene.name ?? "")}
-          @change=${({ target }: Event) => store.change(rename, (target as HTMLInputElement).value)}
+          .value=${scene.name ?? ""}
+          @change=${named}
         />
       </label>
       <button ?disabled=${!isCustom || isKept} @click=${keep}>${isKept ? text.make.kept : text.make.keep}</button>
@@ -214,6 +220,14 @@ function keeping({ store }: App): View {
       </label>
     </div>
     ${isCustom ? html`<p class="quiet">${text.make.link}</p>` : nothing}`;
+
+  function named({ target }: Event): void {
+    const field = target as HTMLInputElement;
+    const { value } = field;
+    // Without what is not taken of it.
+    field.value = scene.name ?? "";
+    store.change(rename, value);
+  }
 
   function keep(): void {
     store.change(keepPuzzles, { [puzzle.key]: puzzle.custom }, Date.now());
@@ -245,15 +259,17 @@ function yours({ store }: App): View {
         const name = text.puzzle.name({ id: null, name: scene.name ?? null });
         return html`<li>
           <button @click=${() => openScene(store, scene)}>${name}</button>
-          <button
-            class="small"
-            aria-label=${text.make.forget(name)}
-            @click=${() => store.change(keepPuzzles, { [key]: null }, Date.now())}
-          >
+          <button class="small" aria-label=${text.make.forget(name)} @click=${(event: Event) => forget(event, key)}>
             ✕
           </button>
         </li>`;
       })}
     </ul>
   </details>`;
+
+  function forget({ currentTarget }: Event, key: string): void {
+    // The button goes with the puzzle.
+    (currentTarget as Element).closest("details")!.querySelector("summary")!.focus();
+    store.change(keepPuzzles, { [key]: null }, Date.now());
+  }
 }

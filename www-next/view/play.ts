@@ -78,10 +78,9 @@ function model({ store }: App): View {
       </p>`;
     case "ready":
       if (answers.practised === null) return nothing;
-      if (puzzle.about.id === null) return html`<p class="quiet">${text.play.unknown}</p>`;
       return answers.practised
         ? html`<p class="practised">${text.play.practised}</p>`
-        : html`<p class="quiet">${text.play.unseen}</p>`;
+        : html`<p class="quiet">${puzzle.about.id === null ? text.play.unknown : text.play.unseen}</p>`;
   }
 }
 

@@ -1,5 +1,5 @@
-// The bodies of a scene as a person handles them: where a pointer meets one, where its knobs are, and what a knob that is
-// dragged makes of it. Lengths in px, y up, angles in radians counter-clockwise.
+// The bodies of a scene as a person handles them: where a pointer meets one, where its knobs are, and what dragging a
+// knob makes of it. Lengths in px, y up, angles in radians counter-clockwise.
 
 import {
   HALF_STICK,

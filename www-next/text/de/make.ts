@@ -37,7 +37,7 @@ export const make: Text["make"] = {
   named: (body, index) => `${index + 1}: ${puzzle.body(body)}`,
   angle: "Winkel",
   sizes: SIZES,
-  keys: "Tasten in der Szene: N und P wählen, Pfeile verschieben, Komma und Punkt drehen, + und − ändern die Größe, mit Umschalt in größeren Schritten; D dupliziert, Entf löscht.",
+  keys: "Tasten in der Szene: N und P wählen, Pfeile verschieben, Komma und Punkt drehen, + und − ändern die Größe, mit Umschalt in größeren Schritten; D dupliziert, Entf löscht, Strg+Z macht rückgängig.",
   described: (body, x, y, degrees, sizes) =>
     `Gewählt: ${puzzle.body(body)} bei x ${px(x)}, y ${px(y)}, um ${px(degrees)} Grad gedreht, ` +
     `${sizes.map(([size, value]) => `${SIZES[size]} ${px(value)}`).join("; ")}.`,

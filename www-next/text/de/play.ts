@@ -90,6 +90,6 @@ export const play: Text["play"] = {
   },
 
   practised: "Achtung: Genau dieses Rätsel hat das Modell geübt.",
-  unknown: "Dieses Rätsel ist für das Modell so neu wie für dich.",
+  unknown: "Dieses Rätsel ist neu für das Modell.",
   unseen: "Das Modell kennt diese Art, aber nicht dieses Rätsel.",
 };

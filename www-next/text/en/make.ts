@@ -37,7 +37,7 @@ export const make = {
   named: (body: Named, index: number) => `${index + 1}: ${puzzle.body(body)}`,
   angle: "angle",
   sizes: SIZES,
-  keys: "Keys in the scene: N and P select, arrows move, comma and full stop turn, + and − resize, with Shift further; D duplicates, Delete removes.",
+  keys: "Keys in the scene: N and P select, arrows move, comma and full stop turn, + and − resize, with Shift further; D duplicates, Delete removes, Ctrl+Z undoes.",
   /** For a screen reader. */
   described: (body: Named, x: number, y: number, degrees: number, sizes: readonly (readonly [Size, number])[]) =>
     `Selected: the ${puzzle.body(body)} at x ${px(x)}, y ${px(y)}, turned by ${px(degrees)} degrees, ` +

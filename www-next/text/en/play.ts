@@ -91,6 +91,6 @@ export const play = {
   } satisfies Record<MapName, string>,
 
   practised: "Careful: the model trained on this very puzzle.",
-  unknown: "This puzzle is new to the model, as it is to you.",
+  unknown: "This puzzle is new to the model.",
   unseen: "The model has practised puzzles of this kind, but not this one.",
 };
