@@ -54,7 +54,9 @@ export class PathlightPuzzle extends HTMLElement {
     if (!this.#app || this.#isFollowing || before === now) return;
     const { store } = this.#app;
     if (name === "theme") return store.change(choose, { theme: themeOf(now) });
-    const { link } = readParts(this.#parts());
+    const read = readParts(this.#parts()).link;
+    // The attribute that has been set last names the puzzle.
+    const link = name === "task" && now !== null ? { ...read, scene: null } : read;
     const { task, scene } = store.state.route;
     const isElsewhere = (link.task !== null && link.task !== task) || (link.scene !== null && link.scene !== scene);
     follow(store, isElsewhere && name !== "ball" ? { ...link, ball: null } : link);

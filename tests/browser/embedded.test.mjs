@@ -34,6 +34,18 @@ test("its attributes say what is shown, and follow the person", async () => {
   assert.equal(await element.getAttribute("ball"), null);
 });
 
+test("a puzzle that is changed is its attribute, until another is named", async () => {
+  const page = await openArticle(`<pathlight-puzzle task="${EASY}" panel="make"></pathlight-puzzle>`);
+  const element = page.locator("pathlight-puzzle");
+  await button(page, "+ Bar").click();
+  await page.locator("pathlight-puzzle[scene]:not([task])").waitFor();
+  const changed = await element.getAttribute("scene");
+  await element.evaluate((one, task) => one.setAttribute("task", task), EASY);
+  await page.locator("pathlight-puzzle[task]:not([scene])").waitFor();
+  await element.evaluate((one, scene) => one.setAttribute("scene", scene), changed);
+  await page.locator("pathlight-puzzle[scene]:not([task])").waitFor();
+});
+
 test("the wheel scrolls the article until the scene has the focus", async () => {
   const page = await openArticle(`<pathlight-puzzle task="${EASY}" ball="128,120,9"></pathlight-puzzle>`);
   await scene(page).hover();

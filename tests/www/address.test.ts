@@ -11,6 +11,8 @@ test("an address names puzzle, maps and ball, and is read as it was written", ()
   const link: Link = { ...START, task: "00007:008", layers: ["base", "placement"], ball: [40, 200, 12] };
   assert.equal(writeAddress(link), "#task=00007:008&layers=base,placement&ball=40,200,12");
   assert.deepEqual(readAddress(writeAddress(link)), { link, unread: [] });
+  assert.equal(readAddress("#scene=a-Z_9&panel=make").link.scene, "a-Z_9");
+  assert.deepEqual(readAddress("#scene=a%20b").unread, ["scene=a b"]);
   assert.equal(writeAddress(START), "#");
   assert.equal(addressOf(dropAt(fresh, MISSING)), "#task=00000:000&ball=100,100,12");
 });
