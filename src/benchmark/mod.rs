@@ -1,6 +1,7 @@
-//! PHYRE's benchmark: which tasks train and test an agent (`folds`), how it is scored (`auccess`), and how hard the
-//! tasks are (`difficulty`).
+//! PHYRE's benchmark: which tasks train and test an agent (`folds`), how it is scored (`auccess`), how hard the tasks
+//! are (`difficulty`), and the actions that its baselines choose from (`action_list`).
 
+pub mod action_list;
 pub mod auccess;
 pub mod difficulty;
 pub mod folds;

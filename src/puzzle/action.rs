@@ -70,6 +70,18 @@ impl Action {
         Obstacles::new(scene).place(self)
     }
 
+    /// Checks what PHYRE checks of an action without a scene: that its numbers are in 0..=1, and that the ball is inside
+    /// the scene before it is rounded.
+    ///
+    /// # Errors
+    /// The reason why the action is invalid in every scene.
+    pub fn check_bounds(self) -> Result<(), Invalid> {
+        if ![self.x, self.y, self.r].iter().all(|value| (0.0..=1.0).contains(value)) {
+            return Err(Invalid::OutOfRange);
+        }
+        self.unrounded().check_inside_scene()
+    }
+
     /// Returns the ball of this action before rounding, px.
     fn unrounded(self) -> Ball {
         Ball {
@@ -173,13 +185,9 @@ impl Obstacles {
     /// # Errors
     /// The reason why the action is invalid there.
     pub fn place(&self, action: Action) -> Result<Ball, Invalid> {
-        if ![action.x, action.y, action.r].iter().all(|value| (0.0..=1.0).contains(value)) {
-            return Err(Invalid::OutOfRange);
-        }
         // PHYRE checks that the ball is inside the scene before it rounds, and what it overlaps after.
-        let ball = action.unrounded();
-        ball.check_inside_scene()?;
-        let ball = ball.rounded();
+        action.check_bounds()?;
+        let ball = action.unrounded().rounded();
         self.check(&ball)?;
         Ok(ball)
     }

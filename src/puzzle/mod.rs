@@ -8,6 +8,7 @@ pub mod dimensions;
 pub mod hex;
 pub mod layout;
 pub mod nearest_place;
+pub(crate) mod numpy;
 pub mod recorded_paths;
 pub mod rollout;
 pub mod sampled_paths;

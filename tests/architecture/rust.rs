@@ -106,7 +106,7 @@ const RULES: &[Rule] = &[
     Rule {
         words: &["md5", "rand_mt"],
         files: Only(&["puzzle/"]),
-        reason: "PHYRE's shuffles and NumPy's random numbers select its tasks, and nothing of ours",
+        reason: "PHYRE's shuffles and NumPy's random numbers select its tasks and actions, and nothing of ours",
     },
     Rule {
         words: &["unsafe "],

@@ -11,7 +11,6 @@ use grid::{Params, evenly};
 use task_numbers::task_numbers;
 
 pub mod grid;
-mod numpy;
 mod t00_two_drops;
 mod t01_tray_with_lips;
 mod t02_awning;

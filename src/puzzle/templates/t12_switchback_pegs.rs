@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::numpy::RandomState;
 use super::{Ints, Params, Template, evenly, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, BodyBuilder, dynamic_body, scene, static_body};
+use crate::puzzle::numpy::RandomState;
 use crate::puzzle::scene::{SIZE, Scene};
 
 pub(crate) static TEMPLATE: Template = Template {

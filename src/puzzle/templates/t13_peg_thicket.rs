@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::numpy::RandomState;
 use super::t12_switchback_pegs::pegs;
 use super::{Ints, Params, Template, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
+use crate::puzzle::numpy::RandomState;
 use crate::puzzle::scene::{SIZE, Scene};
 
 pub(crate) static TEMPLATE: Template = Template {
