@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::imagined_candidates::{candidates_of, imagined_candidates, remembered};
 use super::memory::Recollection;
 use super::online::{OnlineAgent, Similarity};
-use super::{Agent, from_dqn, from_map, from_map_remembering, from_success_net, random};
+use super::{Agent, from_dqn, from_map, from_map_remembering, from_success_net, listed, random};
 use crate::nets::{Dqn, PathNet};
 use crate::puzzle::scene::Scene;
 
@@ -29,6 +29,8 @@ pub enum AgentName {
     Paper,
     /// DQN's list, as in Bakhtin et al. (2019).
     Dqn,
+    /// The published agent RAND: the first valid actions of PHYRE's list.
+    Listed,
     /// Uniform valid balls.
     Random,
 }
@@ -63,13 +65,14 @@ pub struct UnknownAgent(String);
 
 impl AgentName {
     /// All agents, in the order of reports.
-    pub const ALL: [AgentName; 7] = [
+    pub const ALL: [AgentName; 8] = [
         AgentName::Online,
         AgentName::OnlineByBalls,
         AgentName::Dynamics,
         AgentName::Success,
         AgentName::Paper,
         AgentName::Dqn,
+        AgentName::Listed,
         AgentName::Random,
     ];
 
@@ -82,6 +85,7 @@ impl AgentName {
             AgentName::Success => "success",
             AgentName::Paper => "paper",
             AgentName::Dqn => "dqn",
+            AgentName::Listed => "listed",
             AgentName::Random => "random",
         }
     }
@@ -103,13 +107,17 @@ impl AgentName {
             AgentName::Success => "The success net, which ranks the balls",
             AgentName::Paper => "The paper's four nets: balls from the placement map",
             AgentName::Dqn => "DQN, the benchmark's baseline, which ranks a fixed list of actions",
+            AgentName::Listed => {
+                "The benchmark's random agent as published, RAND: PHYRE's one list of random actions for all tasks; \
+                 measured only if it is named"
+            }
             AgentName::Random => "Uniformly random balls",
         }
     }
 
     /// Returns whether it plays with the weights of a model, not with DQN's or without any.
     pub fn is_of_model(self) -> bool {
-        !matches!(self, AgentName::Dqn | AgentName::Random)
+        !matches!(self, AgentName::Dqn | AgentName::Listed | AgentName::Random)
     }
 
     /// Checks that the weights of a model have what this agent needs of them.
@@ -122,7 +130,7 @@ impl AgentName {
             AgentName::Online | AgentName::OnlineByBalls | AgentName::Dynamics => {
                 (nets.dynamics.is_some(), "dynamics net", "dynamics")
             }
-            AgentName::Dqn | AgentName::Paper | AgentName::Random => return Ok(()),
+            AgentName::Dqn | AgentName::Paper | AgentName::Listed | AgentName::Random => return Ok(()),
         };
         if has { Ok(()) } else { Err(LacksNet { agent: self, net, command }) }
     }
@@ -174,7 +182,7 @@ impl AgentName {
     /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle.
     ///
     /// # Panics
-    /// If the nets that it needs were not loaded; only the random agent goes without nets.
+    /// If the nets that it needs were not loaded; `Listed` and `Random` go without nets.
     pub fn start(self, loaded: Loaded, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         let nets = || loaded.nets.expect("the weights of a model are loaded first");
         // Damaged weights know no candidates; another agent must not be measured instead of this one.
@@ -186,6 +194,7 @@ impl AgentName {
             AgentName::Success => from_success_net(nets(), scene, count).unwrap_or_default(),
             AgentName::Dqn => from_dqn(loaded.dqn.expect("its weights are loaded first"), scene, count),
             AgentName::Paper => from_map(nets(), scene, seed, count),
+            AgentName::Listed => listed(scene, count),
             AgentName::Random => random(scene, seed, count),
         };
         Box::new(proposals.into_iter())

@@ -27,6 +27,7 @@ use imagined_candidates::{CANDIDATES, imagined_candidates};
 use memory::Recollection;
 use online::{Candidate, OnlineAgent, Similarity};
 
+use crate::benchmark::action_list::action_list;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::nets::Dqn;
 use crate::nets::PathNet;
@@ -197,7 +198,40 @@ pub fn random(scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     balls.map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 }).take(count).collect()
 }
 
+/// Returns the first `count` balls of PHYRE's list of actions that are valid in the scene: the published agent RAND
+/// (Bakhtin et al. 2019). Invalid actions are no attempts.
+pub fn listed(scene: &Scene, count: usize) -> Vec<Proposal> {
+    let obstacles = Obstacles::new(scene);
+    let mut rejected = 0;
+    let placed = action_list().filter_map(|action| match obstacles.place(action) {
+        Ok(ball) => Some(Proposal { ball, origin: Origin::Uniform, rejected: std::mem::take(&mut rejected) }),
+        Err(_) => {
+            rejected += 1;
+            None
+        }
+    });
+    placed.take(count).collect()
+}
+
 /// Returns the probability of a logit, with libm, so that wasm computes the same.
 pub fn sigmoid(logit: f64) -> f64 {
     1.0 / (1.0 + libm::exp(-logit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::puzzle::task::Task;
+
+    #[test]
+    fn listed_balls_are_the_valid_ones_of_one_list() {
+        for id in ["00002:007", "00000:000"] {
+            let scene = Task::load(id.parse().expect("an id")).expect("a task").scene;
+            let listed = listed(&scene, 100);
+            let tried: usize = listed.iter().map(|proposal| proposal.rejected + 1).sum();
+            let valid: Vec<Ball> = action_list().take(tried).filter_map(|action| action.place(&scene).ok()).collect();
+            assert!(tried > 100, "some are invalid");
+            assert_eq!(listed.iter().map(|proposal| proposal.ball).collect::<Vec<_>>(), valid);
+        }
+    }
 }

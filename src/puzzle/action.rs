@@ -70,8 +70,7 @@ impl Action {
         Obstacles::new(scene).place(self)
     }
 
-    /// Checks what PHYRE checks of an action without a scene: that its numbers are in 0..=1, and that the ball is inside
-    /// the scene before it is rounded.
+    /// Checks that the numbers are in 0..=1 and that the ball, before it is rounded, is inside the scene.
     ///
     /// # Errors
     /// The reason why the action is invalid in every scene.
@@ -84,11 +83,8 @@ impl Action {
 
     /// Returns the ball of this action before rounding, px.
     fn unrounded(self) -> Ball {
-        Ball {
-            x: self.x * (SIZE - 1.0),
-            y: self.y * (SIZE - 1.0),
-            r: RADIUS.start() + (RADIUS.end() - RADIUS.start()) * self.r,
-        }
+        let [x, y] = [self.x, self.y].map(|value| value * (SIZE - 1.0));
+        Ball { x, y, r: RADIUS.start() + (RADIUS.end() - RADIUS.start()) * self.r }
     }
 }
 
@@ -185,7 +181,7 @@ impl Obstacles {
     /// # Errors
     /// The reason why the action is invalid there.
     pub fn place(&self, action: Action) -> Result<Ball, Invalid> {
-        // PHYRE checks that the ball is inside the scene before it rounds, and what it overlaps after.
+        // PHYRE rounds between the two checks.
         action.check_bounds()?;
         let ball = action.unrounded().rounded();
         self.check(&ball)?;

@@ -58,7 +58,7 @@ impl Command {
 #[derive(clap::Args)]
 pub struct Evaluate {
     /// Agent to measure; can be repeated. The random agent is always measured too [default: every agent that
-    /// the weights allow except online-by-balls; dqn only with --dqn]
+    /// the weights allow except online-by-balls and listed; dqn only with --dqn]
     #[arg(long = "agent", value_parser = agent())]
     agents: Vec<AgentName>,
 

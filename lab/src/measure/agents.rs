@@ -74,6 +74,13 @@ pub const AGENTS: [MeasuredAgent; AgentName::ALL.len()] = [
         style: ("#d55e00", "8 3 2 3"),
     },
     MeasuredAgent {
+        agent: AgentName::Listed,
+        label: "RAND, as published",
+        weights: Weights::None,
+        on_request: true,
+        style: ("#4d4d4d", "1 3"),
+    },
+    MeasuredAgent {
         agent: AgentName::Random,
         label: "random",
         weights: Weights::None,

@@ -97,6 +97,7 @@ impl Settings {
         for agent in AgentName::ALL {
             let is_measured = match agent {
                 AgentName::Random => true,
+                AgentName::Listed => self.measures(agent),
                 AgentName::Dqn => loaded.dqn.is_some(),
                 of_model => self.measures(of_model) && loaded.nets.is_some_and(|nets| of_model.check(nets).is_ok()),
             };

@@ -66,8 +66,8 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let fold = self.fold.into();
         let mut weights = None;
-        let (agent, nets, dqn) = if self.agent == Some(AgentName::Random) {
-            (AgentName::Random, None, None)
+        let (agent, nets, dqn) = if let Some(agent @ (AgentName::Listed | AgentName::Random)) = self.agent {
+            (agent, None, None)
         } else if self.agent == Some(AgentName::Dqn) {
             (AgentName::Dqn, None, Some(self.dqn.load(fold)?))
         } else {
