@@ -4,3 +4,4 @@
 pub mod luck;
 pub mod solution_search;
 pub mod solve_map;
+pub mod stability;
