@@ -5,6 +5,7 @@
 # make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
 # make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
 # make build     builds the wasm package, the player's binary and that of the lab
+# make python    builds the Python wheel into target/wheels
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
 # make dist      builds the page as one folder for any static host, and prints its size
 # make bench     compares the speed of nets and simulator with other engines, which it installs into target/bench;
@@ -41,7 +42,7 @@ $(shell { read -r profile <$(BUILT_AS); [ "$$profile" = $(PROFILE) ] || \
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 
 .DELETE_ON_ERROR:
-.PHONY: play dev check test test-cluster bench build package dist timings pictures film clean
+.PHONY: play dev check test test-cluster bench build python package dist timings pictures film clean
 
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
@@ -69,6 +70,9 @@ bench: $(PACKAGE)
 build: $(PACKAGE)
 	cargo build --release --package pathlight
 	cargo build --release --package pathlight-lab
+
+python:
+	@scripts/build-wheel
 
 package: $(PACKAGE)
 	scripts/install-tools js-tools
