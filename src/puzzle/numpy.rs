@@ -1,7 +1,8 @@
 //! NumPy's legacy `RandomState`, from which PHYRE draws the pegs of templates 00012 and 00013, and its list of actions.
 //!
-//! NumPy wraps the 32-bit Mersenne Twister MT19937 and converts its words to numbers in its own way; both must agree to
-//! the bit, because the positions of pegs and balls depend on them. The expected values in the tests were drawn by NumPy.
+//! NumPy wraps the 32-bit Mersenne Twister MT19937 and converts its words to numbers in its own way; both must agree
+//! to the bit, because the positions of pegs and balls depend on them. The expected values in the tests were drawn by
+//! NumPy.
 
 use rand_mt::Mt;
 

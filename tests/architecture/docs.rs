@@ -13,11 +13,18 @@ const README_WORDS: usize = 1100;
 const PICTURE_BYTES: u64 = 600_000;
 
 /// Beside those of `docs/`.
-const PAGES: [&str; 6] =
-    ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "examples/README.md", "package/README.md"];
+const PAGES: [&str; 7] = [
+    "README.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
+    "SECURITY.md",
+    "examples/README.md",
+    "package/README.md",
+    "python/README.md",
+];
 
 /// The folders of the repository whose files the texts name.
-const FOLDERS: [&str; 13] = [
+const FOLDERS: [&str; 14] = [
     "assets/",
     "benches/",
     "docs/",
@@ -25,6 +32,7 @@ const FOLDERS: [&str; 13] = [
     "fuzz/",
     "lab/",
     "package/",
+    "python/",
     "results/",
     "scripts/",
     "serve/",

@@ -1,7 +1,7 @@
 //! PHYRE's image of a scene: 256 x 256 colour codes, one per px, row 0 at the bottom.
 //!
-//! Bodies are drawn in their order, later ones over earlier ones. Rounding is PHYRE's at every place, because a pixel at
-//! an edge depends on it: angles, circles and the ends of a line in f32, corners in f64, halves to even.
+//! Bodies are drawn in their order, later ones over earlier ones. Rounding is PHYRE's at every place, because a pixel
+//! at an edge depends on it: angles, circles and the ends of a line in f32, corners in f64, halves to even.
 
 use crate::puzzle::scene::{Body, Role, SIZE, Shape};
 

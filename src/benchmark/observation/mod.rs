@@ -6,13 +6,15 @@
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::{Body, Scene};
-use crate::simulator::constants::PX_PER_METRE;
 
 pub mod colour_codes;
 pub mod features;
 
 /// PHYRE's `DEFAULT_STRIDE`: one observation per second.
 pub const DEFAULT_STRIDE: usize = 60;
+
+/// px per metre (PHYRE); the simulator's, which this folder does not use.
+const PX_PER_METRE: f32 = 6.0;
 
 /// Returns the bodies of a scene and the ball, if there is one, last: PHYRE's objects.
 pub fn objects(scene: &Scene, ball: Option<Ball>) -> Vec<Body> {
@@ -42,8 +44,7 @@ pub fn move_to_step(objects: &mut [Body], rollout: &Rollout, step: usize) {
 
 /// A coordinate as it comes back from the engine, px: f32, converted to metres and back.
 fn through_metres(px: f64) -> f64 {
-    let scale = PX_PER_METRE as f32;
-    f64::from(px as f32 / scale * scale)
+    f64::from(px as f32 / PX_PER_METRE * PX_PER_METRE)
 }
 
 #[cfg(test)]
