@@ -42,9 +42,7 @@ pub enum BadFeatures {
     NotFinite,
     #[error("only a ball can be red: red is the colour of the action")]
     RedShape,
-    #[error(
-        "the diameter of this shape, feature 3, must be above {least} px and at most {LARGEST} px, in widths of the scene"
-    )]
+    #[error("feature 3, the diameter in widths of the scene, must be above {least} px and at most {LARGEST} px here")]
     Diameter { least: f64 },
 }
 
