@@ -1,4 +1,4 @@
-"""PHYRE as a Gymnasium environment: ``gymnasium.make("pathlight_phyre/Phyre-v0")``.
+"""PHYRE as a Gymnasium environment, ``pathlight_phyre/Phyre-v0``, which is registered when this module is imported.
 
 An episode is a task, a step is an attempt. Needs gymnasium: ``pip install 'pathlight-phyre[gymnasium]'``.
 """
@@ -82,6 +82,4 @@ class PhyreEnv(gymnasium.Env):
         return self._simulator.initial_scenes[0].copy()
 
 
-def register() -> None:
-    """Registers the environment; Gymnasium calls it."""
-    gymnasium.register(id="Phyre-v0", entry_point="pathlight_phyre.environment:PhyreEnv")
+gymnasium.register(id="pathlight_phyre/Phyre-v0", entry_point="pathlight_phyre.environment:PhyreEnv")

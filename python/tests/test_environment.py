@@ -6,8 +6,10 @@ import pytest
 gymnasium = pytest.importorskip("gymnasium")
 from gymnasium.utils.env_checker import check_env  # noqa: E402
 
+import pathlight_phyre.environment  # noqa: E402, F401
 
-def test_gymnasium_finds_it_and_its_checks_pass():
+
+def test_gymnasiums_checks_pass():
     env = gymnasium.make("pathlight_phyre/Phyre-v0", render_mode="rgb_array")
     check_env(env.unwrapped)
 
