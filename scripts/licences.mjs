@@ -75,7 +75,9 @@ function textsIn(folder, licence) {
 
 const parts = [...crates(), ...npmPackages()].sort((one, other) => (one.name < other.name ? -1 : 1));
 /** @type {Map<string, string[]>} */
-const texts = new Map(["NOTICE", "LICENSE"].map((file) => [readFileSync(join(ROOT, file), "utf8").trim(), ["Pathlight"]]));
+const texts = new Map(
+  ["NOTICE", "LICENSE"].map((file) => [readFileSync(join(ROOT, file), "utf8").trim(), ["Pathlight"]]),
+);
 for (const { name, texts: own } of parts) for (const text of own) texts.set(text, [...(texts.get(text) ?? []), name]);
 
 const lines = [
