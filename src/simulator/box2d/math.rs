@@ -51,14 +51,14 @@ impl Transform {
 
     /// Returns a point of this frame in the world (b2Mul).
     #[inline(always)]
-    pub(super) fn to_world(&self, p: Vector) -> Vector {
+    pub(super) fn to_world(self, p: Vector) -> Vector {
         let Rotation { sin, cos } = self.rotation;
         Vector::new((cos * p.x - sin * p.y) + self.position.x, (sin * p.x + cos * p.y) + self.position.y)
     }
 
     /// Returns a point of the world in this frame (b2MulT).
     #[inline(always)]
-    pub(super) fn to_local(&self, p: Vector) -> Vector {
+    pub(super) fn to_local(self, p: Vector) -> Vector {
         self.rotation.rotate_back(p - self.position)
     }
 

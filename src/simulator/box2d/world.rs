@@ -209,7 +209,7 @@ impl World {
             if a.dynamic { (b, fixture_b, a, fixture_a, -normal) } else { (a, fixture_a, b, fixture_b, normal) };
         let margin = MARGIN + arc_height(&moving.sweep, moving_fixture.reach);
         // A rotation that is not a number has no bounds.
-        if !(margin >= 0.0) {
+        if margin.is_nan() {
             return false;
         }
         !fixed_fixture.aabb.loosened(margin).intersects(&moving_fixture.swept_aabb)
