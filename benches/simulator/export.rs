@@ -6,9 +6,10 @@ use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::rollout::{GOAL_STEPS, MAX_STEPS};
 use pathlight::puzzle::scene::{Scene, Shape, walls};
 use pathlight::simulator::constants::{
-    ANGULAR_DAMPING, BALL_TOUCH_DISTANCE, DENSITY, FRICTION, GRAVITY, POSITION_ITERATIONS, PX_PER_METRE, RESTITUTION,
-    TIME_STEP, VELOCITY_ITERATIONS,
+    ANGULAR_DAMPING, BALL_TOUCH_DISTANCE, DENSITY, FRICTION, GRAVITY, POSITION_ITERATIONS, RESTITUTION, TIME_STEP,
+    VELOCITY_ITERATIONS,
 };
+use pathlight::simulator::units::PX_PER_METRE;
 
 /// Returns the rollouts as text, for implementations in other languages: the parameters in one line, then for each
 /// rollout its goal and the number of its bodies, and for each body its pose and shapes. Values that a shape does not
