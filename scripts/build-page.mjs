@@ -10,15 +10,19 @@ import { context } from "esbuild";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const SOURCES = join(ROOT, "www-next");
-const OUT = join(ROOT, "target", "page-next");
+export const OUT = join(ROOT, "target", "page-next");
 /** What is served as it is, and where. */
 const COPIES = [
   ["www-next/index.html", "index.html"],
   ["www-next/style.css", "style.css"],
   ["www-next/icon.svg", "icon.svg"],
+  ["www-next/first-look.js", "first-look.js"],
+  ["www-next/manifest.webmanifest", "manifest.webmanifest"],
+  ["www-next/icons", "icons"],
   ["www-next/pkg/page/pathlight_bg.wasm", "pkg/page/pathlight_bg.wasm"],
   ["www-next/pkg/worker/pathlight_bg.wasm", "pkg/worker/pathlight_bg.wasm"],
   ["www-next/pkg/worker/licences.txt", "licences.txt"],
+  ["CITATION.cff", "CITATION.cff"],
   ["assets", "assets"],
 ];
 /** Bundled one by one: no page loads two of them, and parts in common would be a further file to wait for. */
@@ -46,7 +50,7 @@ export function bundling() {
 /**
  * @param {boolean} isWatching
  */
-async function buildPage(isWatching) {
+export async function buildPage(isWatching) {
   const missing = COPIES.map(([from]) => join(ROOT, from)).find((path) => !existsSync(path));
   if (missing) throw new Error(`${missing} is missing: scripts/build-wasm builds it`);
   await rm(OUT, { recursive: true, force: true });
@@ -66,7 +70,7 @@ function entryOptions(path, isWatching) {
     ...bundling(),
     entryPoints: [{ in: join(SOURCES, path), out: basename(path, ".ts") }],
     outdir: OUT,
-    chunkNames: "chunks/[name]-[hash]",
+    chunkNames: `chunks/${isPage ? "" : `${basename(path, ".ts")}/`}[name]-[hash]`,
     splitting: true,
     minify: !isWatching,
     sourcemap: isWatching && "inline",

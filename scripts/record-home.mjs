@@ -29,6 +29,12 @@ export async function recordHome() {
     kinds: Object.fromEntries(
       pathlight.templates().map(({ id, tasks: [first] }) => [id, likeliestPath(pathlight, first)]),
     ),
+    paths: Object.fromEntries(
+      pathlight.templates().map(({ tasks }) => {
+        const task = easiestNew(pathlight, tasks);
+        return [task, likeliestPath(pathlight, task)];
+      }),
+    ),
     unsolved: await unsolvedTasks(pathlight),
   };
   pathlight.free();
@@ -92,7 +98,7 @@ export function recordScene(pathlight, task, model) {
       steps: Array.from(imagined.steps),
       object: Array.from(imagined.object, tenths),
       ball: Array.from(imagined.ball, tenths),
-      errors: Array.from(imagined.errors.subarray(0, imagined.steps.length), tenths),
+      errors: Array.from(imagined.errors, tenths),
       probability: hundredths(imagined.probability),
     },
     real: {
@@ -123,6 +129,16 @@ function likeliestPath(pathlight, task) {
   const [{ ball }] = pathlight.propose(task, { count: 1 });
   const { x, y } = pathlight.scene(task).bodies[pathlight.scene(task).body1];
   return [x, y, ...required(pathlight.imagineBall(task, ball)).object].map(Math.round);
+}
+
+/**
+ * The easiest of some tasks that is new to the model.
+ * @param {Pathlight} pathlight
+ * @param {string[]} tasks
+ */
+function easiestNew(pathlight, tasks) {
+  const rate = (/** @type {string} */ task) => pathlight.difficulty(task).solve_rate;
+  return tasks.filter((task) => !pathlight.hasSeen(task)).sort((one, other) => rate(other) - rate(one))[0];
 }
 
 /**

@@ -3,7 +3,7 @@
 
 import { render } from "lit-html";
 import { startModel } from "./core/change/model.ts";
-import { advance } from "./core/change/run.ts";
+import { moves, tick } from "./core/change/home.ts";
 import { setDevice } from "./core/change/settings.ts";
 import { start } from "./core/state.ts";
 import { Store } from "./core/store.ts";
@@ -69,10 +69,13 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     language: given.language,
     theme: dark.matches ? "dark" : "light",
     stillness: still.matches,
+    day: today(),
   });
   const text = await loadText(given.kept.language ?? given.language);
   const { id } = given.puzzle.about;
-  const named = { ...route, task: id, scene: id === null ? route.scene : null };
+  // The home page names no puzzle, though one lies open there.
+  const isNamed = given.embedded || route.task !== null;
+  const named = { ...route, task: isNamed ? id : null, scene: id === null ? route.scene : null };
   const first = start(named, given.puzzle, given.kept, device(), text, ball);
   const store = new Store(first, [languageEffect, makingEffect, ...modelEffects(given.files), ...given.effects]);
   const stage = new Stage(schedule);
@@ -108,18 +111,23 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
 
   function draw(now: number): void {
     if (signal.aborted) return;
-    const isPlaying = store.state.run?.playing;
+    const isPlaying = moves(store.state);
     // Each advance is a change, which asks for the next frame.
-    if (isPlaying) store.change(advance, Math.min(Math.max(now - (before ?? now), 0), LONGEST_FRAME));
+    if (isPlaying) store.change(tick, Math.min(Math.max(now - (before ?? now), 0), LONGEST_FRAME));
     before = isPlaying ? now : null;
     // Without a step of time nothing has changed that would ask for the next frame.
-    if (store.state.run?.playing) schedule();
+    if (moves(store.state)) schedule();
     render(page(app), root);
     const described = description(store.state);
     if (stage.canvas.ariaLabel !== described) stage.canvas.ariaLabel = described;
     stage.canvas.classList.toggle("taken", toolOf(store.state).holds(store.state));
     stage.paint(store.state);
   }
+}
+
+function today(): number {
+  const now = new Date();
+  return Date.UTC(now.getFullYear(), now.getMonth(), now.getDate()) / 86_400_000;
 }
 
 /** The language of a tag like "de-AT"; English for all that there are no texts for. */

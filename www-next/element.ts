@@ -59,7 +59,8 @@ export class PathlightPuzzle extends HTMLElement {
     const link = name === "task" && now !== null ? { ...read, scene: null } : read;
     const { task, scene } = store.state.route;
     const isElsewhere = (link.task !== null && link.task !== task) || (link.scene !== null && link.scene !== scene);
-    follow(store, isElsewhere && name !== "ball" ? { ...link, ball: null } : link);
+    const named = (link.task ?? link.scene) ? link : { ...link, task, scene };
+    follow(store, isElsewhere && name !== "ball" ? { ...named, ball: null } : named);
   }
 
   async #start(signal: AbortSignal): Promise<void> {

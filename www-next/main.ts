@@ -1,19 +1,22 @@
 // The page: opens what the address names, and keeps what is played.
 
-import { follow, puzzleOf } from "./actions.ts";
+import { follow, homeTask, puzzleOf } from "./actions.ts";
 import { filesAt, languageOf, mount } from "./app.ts";
 import { setNotice } from "./core/change/settings.ts";
-import { nextTask } from "./core/derived/next.ts";
-import { addressEffect, readAddress } from "./effects/address.ts";
+import { addressEffect, pageOf, readAddress } from "./effects/address.ts";
+import { recordedEffect } from "./effects/home.ts";
+import { cardEffect, qrEffect } from "./effects/sharing.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
 import { documentEffect } from "./effects/language.ts";
-import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
+import { loadSimulator, openPuzzle } from "./simulator.ts";
 import { loadText } from "./text/text.ts";
 import type { Puzzle } from "./core/puzzle.ts";
 
-const files = filesAt(document.baseURI);
+const files = filesAt(import.meta.url);
 
 async function run(root: HTMLElement): Promise<void> {
+  const elsewhere = pageOf(location.hash);
+  if (elsewhere) return location.replace(elsewhere);
   const forever = new AbortController().signal;
   const kept = readKept();
   const language = languageOf(navigator.language);
@@ -24,9 +27,10 @@ async function run(root: HTMLElement): Promise<void> {
   const shared = link.scene === null ? null : await puzzleOf(link.scene);
   const custom = shared && !("problem" in shared) ? shared : null;
   const named = custom ?? (link.task === null ? null : existing(link.task));
-  const puzzle = named ?? openPuzzle(nextTask(benchmark(), null, (task) => task in kept.attempts));
+  const puzzle = named ?? openPuzzle(homeTask(kept));
   const given = { root, keys: document, link, puzzle, kept, files, language };
-  const effects = [addressEffect, documentEffect, keepingEffect()];
+  const recorded = recordedEffect(`${files.assets}home.json`);
+  const effects = [addressEffect, documentEffect, keepingEffect(), recorded, cardEffect, qrEffect];
   const { store } = await mount({ ...given, embedded: false, effects }, forever);
   listenToOtherTabs(store, forever);
   if (shared && "problem" in shared) store.change(setNotice, { kind: "bad_scene", ...shared });

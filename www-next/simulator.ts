@@ -7,14 +7,18 @@ import init, {
   paintEditedScene,
   paintMap,
   paintOutcomes,
+  paintThumbnail,
+  sceneDigest,
   sceneProblems,
   solveRates,
+  verifyAttempt,
 } from "./pkg/page/pathlight.js";
 import { GRID_SIDE, SCENE_SIZE, TEMPLATES } from "./pkg/constants.ts";
 import models from "../assets/model.json";
 import type { Puzzle } from "./core/puzzle.ts";
 import type { Benchmark } from "./core/derived/next.ts";
 import type {
+  AttemptLine,
   Ball,
   CustomScene,
   MapName,
@@ -109,6 +113,45 @@ export function outcomesPicture(outcomes: Uint8Array, dark: boolean): HTMLCanvas
   return picture(outcomes, dark, SCENE_SIZE, (context) => paintOutcomes(context, outcomes, dark));
 }
 
+/** The scene of a puzzle, small. It is painted once the page has nothing more urgent to do. */
+export function thumbnail(task: string, dark: boolean, place: string): HTMLCanvasElement {
+  // An element can only be at one place.
+  const key = `${place} ${task} ${dark}`;
+  const canvas = thumbnails.get(key) ?? document.createElement("canvas");
+  if (!thumbnails.has(key)) {
+    thumbnails.set(key, canvas);
+    canvas.width = canvas.height = THUMBNAIL_SIDE;
+    if (unpainted.length === 0) later(paintNext);
+    unpainted.push(() => {
+      paintThumbnail(canvas.getContext("2d")!, task, dark);
+      canvas.classList.add("painted");
+    });
+  }
+  return canvas;
+}
+
+const THUMBNAIL_SIDE = 256;
+const thumbnails = new Map<string, HTMLCanvasElement>();
+const unpainted: (() => void)[] = [];
+
+function later(work: (deadline?: IdleDeadline) => void): void {
+  // Not in every browser.
+  if ("requestIdleCallback" in self) requestIdleCallback(work, { timeout: 100 });
+  else setTimeout(work, 20);
+}
+
+function paintNext(deadline?: IdleDeadline): void {
+  do unpainted.shift()!();
+  while (unpainted.length > 0 && deadline && deadline.timeRemaining() > 3);
+  if (unpainted.length > 0) later(paintNext);
+}
+
+/** By which puzzle an attempt of a file is kept; null unless it is what the simulator makes of its ball. */
+export function keyOf(line: AttemptLine): string | null {
+  if (verifyAttempt(line).verdict !== "same") return null;
+  return line.task ?? (line.scene ? sceneDigest(line.scene) : null);
+}
+
 let known: Benchmark | null = null;
 
 export function benchmark(): Benchmark {
@@ -118,6 +161,12 @@ export function benchmark(): Benchmark {
   const tasks = TEMPLATES.flatMap((template) => template.tasks);
   known = { tasks, rates: solveRates(), unseen: new Set(fold(setup as Setup, Number(number)).test) };
   return known;
+}
+
+/** The share of balls that solve a task. */
+export function rateOf(task: string): number {
+  const { tasks, rates } = benchmark();
+  return rates[tasks.indexOf(task)] ?? 0;
 }
 
 const pictures = new WeakMap<object, Map<boolean, HTMLCanvasElement>>();

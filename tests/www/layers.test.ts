@@ -9,6 +9,7 @@ const PAGE = "www-next";
 const LAYERS = [
   "pkg",
   "text",
+  "offline",
   "core",
   "model",
   "simulator",

@@ -2,8 +2,11 @@
 // changes it. What follows from these parts is not stored, but computed in derived/.
 
 import { NO_ANSWERS, MODEL_OFF } from "./change/model.ts";
+import { introOf } from "./change/home.ts";
 import { NO_BALL, place } from "./change/placement.ts";
+import { LESSON, SHARE } from "./change/sheet.ts";
 import type { Check } from "./change/check.ts";
+import type { Intro, Recorded } from "./change/home.ts";
 import type { Making } from "./change/make.ts";
 import type { Kept } from "./change/kept.ts";
 import type { Answers, Model } from "./change/model.ts";
@@ -11,6 +14,7 @@ import type { Placement } from "./change/placement.ts";
 import type { Route } from "./change/route.ts";
 import type { Run } from "./change/run.ts";
 import type { Device, Notice } from "./change/settings.ts";
+import type { Lesson, Share, Sheet } from "./change/sheet.ts";
 import type { Puzzle } from "./puzzle.ts";
 import type { Ball } from "../pkg/page/pathlight.js";
 import type { Text } from "../text/text.ts";
@@ -30,6 +34,14 @@ export interface State {
   readonly check: Check | null;
   /** The puzzle as the person changes it; null until something is changed. */
   readonly make: Making | null;
+  /** The show on the home page; null once the person plays. */
+  readonly intro: Intro | null;
+  /** What has been recorded for the home page; null until it is there. */
+  readonly recorded: Recorded | null;
+  /** What lies over the page. */
+  readonly sheet: Sheet | null;
+  readonly share: Share;
+  readonly lesson: Lesson;
   /** What the browser keeps. */
   readonly kept: Kept;
   /** What the device asks for, unless the person has chosen otherwise. */
@@ -58,6 +70,11 @@ export function start(
     answers: NO_ANSWERS,
     check: null,
     make: null,
+    intro: introOf(route, puzzle),
+    recorded: null,
+    sheet: null,
+    share: SHARE,
+    lesson: LESSON,
     kept,
     device,
     notice: null,

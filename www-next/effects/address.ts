@@ -1,7 +1,9 @@
 // The fragment of the address: #task=00007:008&panel=play&layers=base,target&ball=40,200,12
 
-import { PANELS, START } from "../core/change/route.ts";
-import { MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../pkg/constants.ts";
+import { HIDEABLE, PANELS, START } from "../core/change/route.ts";
+import { PAGES, upToDate } from "./old-links.ts";
+import { isHome } from "../core/derived/home.ts";
+import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../pkg/constants.ts";
 import type { Link } from "../core/change/route.ts";
 import type { State } from "../core/state.ts";
 import type { Effect } from "../core/store.ts";
@@ -12,18 +14,26 @@ interface Codec<Value> {
   read(text: string): Value | undefined;
 }
 
+const TASK = /^\d{5}:\d{3}$/;
+
 const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
-  task: { write: String, read: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
+  task: { write: String, read: (text) => (TASK.test(text) ? text : undefined) },
   scene: { write: String, read: (text) => (/^[\w-]+$/.test(text) ? text : undefined) },
   panel: { write: String, read: (text) => PANELS.find((panel) => panel === text) },
-  layers: {
-    write: (layers) => MAPS.filter((map) => layers.includes(map)).join(),
+  layers: someOf(MAPS),
+  view: { write: String, read: (text) => (text === "presentation" ? text : undefined) },
+  challenge: {
+    write: String,
+    read: (text) => (/^[1-9]\d{0,2}$/.test(text) && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
+  },
+  lesson: {
+    write: (tasks) => tasks.join(),
     read: (text) => {
-      const names = text.split(",").filter(Boolean);
-      const layers = MAPS.filter((map) => names.includes(map));
-      return layers.length === names.length ? layers : undefined;
+      const tasks = text.split(",").filter(Boolean);
+      return tasks.every((task) => TASK.test(task)) ? tasks : undefined;
     },
   },
+  hide: someOf(HIDEABLE),
   ball: {
     write: (ball) => ball.join(),
     read: (text) => {
@@ -33,6 +43,18 @@ const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
     },
   },
 };
+
+/** Some of the names, in their order. */
+function someOf<Name extends string>(all: readonly Name[]): Codec<readonly Name[]> {
+  return {
+    write: (names) => all.filter((name) => names.includes(name)).join(),
+    read: (text) => {
+      const wanted = text.split(",").filter(Boolean);
+      const names = all.filter((name) => wanted.includes(name));
+      return names.length === wanted.length ? names : undefined;
+    },
+  };
+}
 
 /** The parts of a link, which are the attributes of the element too. */
 export const LINK_PARTS = Object.keys(CODECS) as (keyof Link)[];
@@ -62,18 +84,27 @@ export function writeAddress(link: Link): string {
 }
 
 export function readAddress(hash: string): { link: Link; unread: string[] } {
+  return readParts(upToDate(partsOf(hash)));
+}
+
+/** The page with an address of its own that a link names; null if it names a puzzle, or the home page. */
+export function pageOf(hash: string): string | null {
+  const parts = new Map(partsOf(hash));
+  return parts.has("task") || parts.has("scene") ? null : (PAGES.get(parts.get("view") ?? "") ?? null);
+}
+
+function partsOf(hash: string): (readonly [part: string, text: string])[] {
   const parts = hash.replace(/^#/, "").split("&").filter(Boolean);
-  return readParts(
-    parts.map((part) => {
-      const [key = "", ...text] = part.split("=");
-      return [decoded(key), decoded(text.join("="))] as const;
-    }),
-  );
+  return parts.map((part) => {
+    const [key = "", ...text] = part.split("=");
+    return [decoded(key), decoded(text.join("="))] as const;
+  });
 }
 
 /** The open puzzle and all that is seen of it, as a link. */
-export function linkOf({ route, placement }: State): Link {
-  return { ...route, ball: placement.ball };
+export function linkOf(state: State): Link {
+  // The picture on the home page is a puzzle that the address does not name.
+  return { ...state.route, ball: isHome(state) ? null : state.placement.ball };
 }
 
 export function addressOf(state: State): string {
@@ -88,12 +119,12 @@ export const addressEffect: Effect<State> = {
   needs: (state) => [addressOf(state)],
   async run({ state }, signal) {
     const address = addressOf(state);
-    if (address === location.hash) return;
+    if (address === (location.hash || "#")) return;
     const { link } = readAddress(location.hash);
-    const { task, scene, panel } = state.route;
+    const { task, scene, panel, view } = state.route;
     // A puzzle that is being changed stays one step.
     const isOther = link.task !== task || (link.scene !== scene && (link.scene === null || state.make === null));
-    if (location.hash && (isOther || link.panel !== panel)) return history.pushState(null, "", address);
+    if (isOther || link.panel !== panel || link.view !== view) return history.pushState(null, "", address);
     await rested(signal);
     if (!signal.aborted) history.replaceState(null, "", address);
   },

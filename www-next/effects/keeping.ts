@@ -22,12 +22,13 @@ export function readKept(): Kept {
 /** Takes what it understands of a document of this version. */
 export function keptFrom(document: any): Kept {
   if (document?.version !== NOTHING_KEPT.version) return NOTHING_KEPT;
-  const { attempts, puzzles, guess, alone, live, language, theme } = document;
+  const { attempts, puzzles, forgotten, guess, alone, live, language, theme } = document;
   const lists = Object.entries(attempts ?? {}).map(([key, lines]) => [key, linesFrom(lines)] as const);
   return {
     version: NOTHING_KEPT.version,
     attempts: Object.fromEntries(lists.filter(([, lines]) => lines.length > 0)),
     puzzles: Object.fromEntries(Object.entries(puzzles ?? {}).filter(isKeptPuzzle)),
+    forgotten: Number.isFinite(forgotten) ? forgotten : 0,
     guess: guess !== false,
     alone: alone === true,
     live: live !== false,
@@ -42,7 +43,7 @@ function isKeptPuzzle(entry: [key: string, puzzle: any]): entry is [string, Kept
   return Number.isFinite(puzzle?.changed) && (puzzle.scene === null || Array.isArray(puzzle.scene?.bodies));
 }
 
-function linesFrom(lines: any): AttemptLine[] {
+export function linesFrom(lines: any): AttemptLine[] {
   const isLine = ({ ball, simulator, status, steps, digest }: any) =>
     Array.isArray(ball) &&
     ball.length === 3 &&
@@ -68,8 +69,8 @@ export function keepingEffect(): Effect<State> {
 
 function write(store: Store<State>, kept: Kept): void {
   try {
-    const { attempts, puzzles } = merged(readKept(), kept);
-    localStorage.setItem(KEY, JSON.stringify({ ...kept, attempts, puzzles }));
+    const { attempts, puzzles, forgotten } = merged(readKept(), kept);
+    localStorage.setItem(KEY, JSON.stringify({ ...kept, attempts, puzzles, forgotten }));
   } catch (error) {
     console.warn(error);
     store.change(setNotice, { kind: "storage_full" });

@@ -1,6 +1,7 @@
 // The language and the looks of the page: its texts are loaded when they are needed.
 
 import { setText } from "../core/change/settings.ts";
+import { isHome } from "../core/derived/home.ts";
 import { language, theme } from "../core/derived/looks.ts";
 import { loadText } from "../text/text.ts";
 import type { State } from "../core/state.ts";
@@ -16,11 +17,11 @@ export const languageEffect: Effect<State> = {
 
 /** Of the document, where the page is all of it. */
 export const documentEffect: Effect<State> = {
-  needs: (state) => [theme(state), state.text, state.puzzle],
+  needs: (state) => [theme(state), state.text, state.puzzle, isHome(state)],
   run({ state }) {
     const { documentElement: root } = document;
     root.dataset.theme = theme(state);
     root.lang = state.text.language;
-    document.title = `${state.text.puzzle.name(state.puzzle.about)} · Pathlight`;
+    document.title = isHome(state) ? "Pathlight" : `${state.text.puzzle.name(state.puzzle.about)} · Pathlight`;
   },
 };

@@ -4,6 +4,8 @@ import { sought } from "../core/change/check.ts";
 import { isSettled, making } from "../core/change/make.ts";
 import { answered, setModel } from "../core/change/model.ts";
 import { attempts, verdict } from "../core/derived/duel.ts";
+import { isAlone, isHidden } from "../core/derived/hidden.ts";
+import { isHome } from "../core/derived/home.ts";
 import { questioned } from "../core/derived/placing.ts";
 import { WorkerError } from "../model/client.ts";
 import { sharedModel } from "../model/shared.ts";
@@ -11,6 +13,9 @@ import { problemsOf } from "../simulator.ts";
 import type { State } from "../core/state.ts";
 import type { Effect, Store } from "../core/store.ts";
 import type { ModelFiles } from "../model/shared.ts";
+
+/** How many futures fan out. */
+const FUTURES = 40;
 
 export function modelEffects(files: ModelFiles): Effect<State>[] {
   const model = sharedModel(files);
@@ -34,7 +39,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
   // One ball more than has been played, so that the next drop need not wait.
   const turn: Effect<State> = {
     needs: (state) =>
-      state.kept.alone || state.route.panel === "make" ? null : ifReady(state, state.puzzle, attempts(state).length),
+      isAlone(state) || state.route.panel === "make" ? null : ifReady(state, state.puzzle, attempts(state).length),
     run: (store, signal) =>
       ask(store, async ({ source }) => ({
         turn: await client.call("turn", [source, attempts(store.state).length + 1], signal),
@@ -45,7 +50,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
   const guess: Effect<State> = {
     needs: (state) => {
       const ball = questioned(state);
-      return ball && state.kept.guess ? ifReady(state, state.puzzle, ...ball) : null;
+      return ball && state.kept.guess && !isHidden(state, "guess") ? ifReady(state, state.puzzle, ...ball) : null;
     },
     run: (store) =>
       ask(store, async ({ source }) => {
@@ -99,7 +104,15 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       }),
   };
 
-  return [following, loading, turn, guess, maps, luck, solutions, search];
+  // Those of the first puzzle have been recorded, so that they need not wait for the weights.
+  const futures: Effect<State> = {
+    needs: (state) =>
+      isHome(state) && state.recorded?.scene.task !== state.puzzle.source ? ifReady(state, state.puzzle) : null,
+    run: (store, signal) =>
+      ask(store, async ({ source }) => ({ futures: await client.call("futures", [source, FUTURES], signal) })),
+  };
+
+  return [following, loading, turn, futures, guess, maps, luck, solutions, search];
 }
 
 /** Keeps an answer about the open puzzle. A crash has been told already. */

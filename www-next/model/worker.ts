@@ -5,6 +5,7 @@
 // { id, value } or { id, failure }. { cancel: id } ends a call that still runs: nobody waits for its answer.
 
 import init, { Model, SolutionSearch, SolveMap, luck } from "../pkg/worker/pathlight.js";
+import type { Futures } from "../core/change/home.ts";
 import type { Failure } from "../core/change/model.ts";
 import type { Ball, Puzzle, TriedProposal, Turn } from "../pkg/worker/pathlight.js";
 
@@ -50,6 +51,16 @@ const calls = {
   imagine: (puzzle: Puzzle) => ({ maps: model.imagine(puzzle), practised: model.hasSeen(puzzle) }),
 
   imagineBall: (puzzle: Puzzle, ball: Ball) => model.imagineBall(puzzle, ball) ?? null,
+
+  /** What it imagines before its first ball: some of its candidates, from the likeliest to the least likely, evenly. */
+  futures: (puzzle: Puzzle, count: number): Futures | null => {
+    const all = model.candidates(puzzle)?.toSorted((one, other) => other.probability - one.probability);
+    const ball = model.propose(puzzle, 0, 1)[0]?.ball;
+    const imagined = ball && model.imagineBall(puzzle, ball);
+    if (!all?.length || !imagined) return null;
+    const some = Array.from({ length: count }, (_, index) => all[Math.floor((index * all.length) / count)]!);
+    return { futures: some.map(({ probability, object }) => ({ probability, path: object })), ball, imagined };
+  },
 
   /** The first balls of the model's turn, each tried only once it is asked for. */
   *turn(puzzle: Puzzle, count: number) {
@@ -138,6 +149,8 @@ async function fetched(url: string): Promise<Response> {
     throw failed("offline", String(error));
   });
   if (!response.ok) throw failed("missing", `${url}: ${response.status} ${response.statusText}`);
+  // Some servers answer with a page for every address.
+  if (response.headers.get("content-type")?.startsWith("text/html")) throw failed("missing", `${url} is a page`);
   return response;
 }
 

@@ -6,7 +6,7 @@ export type KeyFacts = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey
 export type KeyAction =
   | { readonly kind: "move"; readonly dx: number; readonly dy: number }
   | { readonly kind: "resize"; readonly dr: number }
-  | { readonly kind: "next" | "toggle" | "again" | "undo" | "redo" | "previousPuzzle" | "nextPuzzle" }
+  | { readonly kind: "next" | "toggle" | "leave" | "again" | "undo" | "redo" | "previousPuzzle" | "nextPuzzle" }
   | { readonly kind: "stepBy"; readonly steps: number }
   | { readonly kind: "panel"; readonly index: number };
 
@@ -35,6 +35,7 @@ const PLAIN: Record<string, KeyAction> = {
   r: { kind: "again" },
   ",": { kind: "stepBy", steps: -1 },
   ".": { kind: "stepBy", steps: 1 },
+  Escape: { kind: "leave" },
   "[": { kind: "previousPuzzle" },
   "]": { kind: "nextPuzzle" },
 };

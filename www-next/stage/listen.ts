@@ -1,8 +1,9 @@
 // Pointer, wheel and keys, as changes of the state. Decides nothing itself.
 
 import { goBy, takeNextStep } from "../actions.ts";
-import { PANELS, openPanel } from "../core/change/route.ts";
+import { openPanel, present } from "../core/change/route.ts";
 import { again, stepBy, togglePlaying } from "../core/change/run.ts";
+import { shownPanels } from "../core/derived/hidden.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
 import { keyAction } from "./keys.ts";
 import { toolOf } from "./tools.ts";
@@ -66,7 +67,7 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
 
   on(around, "keydown", (event: KeyboardEvent) => {
     const action = keyAction(event);
-    if (!action || event.defaultPrevented || isTyped(event, action)) return;
+    if (!action || store.state.sheet || event.defaultPrevented || isTyped(event, action)) return;
     if (act(action, event.repeat)) event.preventDefault();
   });
 
@@ -87,8 +88,13 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
       case "again":
         store.change(again);
         return true;
+      case "leave": {
+        const isPresented = store.state.route.view !== null;
+        if (isPresented) store.change(present, null);
+        return isPresented;
+      }
       case "panel": {
-        const panel = PANELS[action.index];
+        const panel = shownPanels(store.state)[action.index];
         if (panel) store.change(openPanel, panel);
         return panel !== undefined;
       }

@@ -1,6 +1,8 @@
 // The scene on its canvas: paints a state by the wasm, at the resolution of the screen.
 
 import { fault, guess, solutions } from "../core/derived/placing.ts";
+import { introPaths, introShown } from "../core/derived/home.ts";
+import { isHidden } from "../core/derived/hidden.ts";
 import { isDark } from "../core/derived/looks.ts";
 import { ended, lastStep, rollouts } from "../core/derived/run.ts";
 import { isSettled, making, selectedBody } from "../core/change/make.ts";
@@ -42,8 +44,8 @@ export class Stage {
 
   /** Paints a state, unless all that is seen of it has been painted. */
   paint(state: State): void {
-    const { puzzle, run, placement, answers, route, check, make, text } = state;
-    const seen = [puzzle, run, placement, answers, route, check, make, text, state.kept, state.device];
+    const { puzzle, run, placement, answers, route, check, make, text, intro } = state;
+    const seen = [puzzle, run, placement, answers, route, check, make, text, intro, state.kept, state.device];
     if (seen.every((part, index) => part === this.#painted[index])) return;
     this.#painted = seen;
     if (isMade(state)) return this.#paintMaking(state);
@@ -82,15 +84,17 @@ function viewOf(state: State, knob: number): View {
   const [first] = rollouts(state);
   const isOver = ended(state);
   const imagined = guess(state);
+  const show = introShown(state) ? introPaths(state) : null;
   return {
     step: run?.step ?? 0,
-    ball: run ? null : placement.ball,
+    ball: run ? null : (placement.ball ?? show?.imagined?.of ?? null),
     valid: fault(state) === null,
-    knob,
+    knob: show ? 0 : knob,
+    hints: show?.hints ?? [],
     whole: isOver && run !== null && lastStep(state) > 0,
     opacity: MAP_OPACITY,
     dark: isDark(state),
-    imagined: imagined && { of: imagined.of, ...imagined.imagined },
+    imagined: show ? show.imagined : imagined && { of: imagined.of, ...imagined.imagined },
     approach: isOver && first?.ending.longest_touch === 0 ? first.nearest : null,
     spark: first?.contact ?? null,
     names: run && run.balls.length > 1 ? [text.play.you, text.play.model] : [],
@@ -102,6 +106,7 @@ function pictures(state: State): HTMLCanvasElement[] {
   const chosen = state.route.layers;
   const layers = isMade(state) && state.kept.live && !chosen.length && !state.check ? LIVE : chosen;
   const dark = isDark(state);
+  if (isHidden(state, "model")) return [];
   const found = isSettled(state) ? solutions(state) : null;
   const shown = layers.flatMap((name) => {
     const values = maps?.[name];

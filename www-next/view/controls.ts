@@ -4,9 +4,11 @@ import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { takeNextStep } from "../actions.ts";
 import { isSettled } from "../core/change/make.ts";
+import { toggleIntro } from "../core/change/home.ts";
 import { FIRST_RADIUS, resize } from "../core/change/placement.ts";
 import { SPEEDS, play, seek, setSpeed, togglePlaying } from "../core/change/run.ts";
 import { attemptLimitReached, nextStep } from "../core/derived/duel.ts";
+import { introShown } from "../core/derived/home.ts";
 import { fault } from "../core/derived/placing.ts";
 import { ended, lastStep } from "../core/derived/run.ts";
 import { MAX_RADIUS, MIN_RADIUS } from "../pkg/constants.ts";
@@ -27,11 +29,14 @@ export function controls(app: App): View {
     >
       ${state.text.play.step[step]}
     </button>
-    ${state.run ? playback(app) : state.route.panel === "make" ? watch(app) : radius(app)}`;
+    ${introShown(state) ? animation(app) : state.run ? playback(app) : state.route.panel === "make" ? watch(app) : radius(app)}`;
 
   // The second click of a double click must not undo what the first has done.
   function clicked({ detail }: MouseEvent): void {
-    if (detail < 2) takeNextStep(store);
+    if (detail >= 2) return;
+    takeNextStep(store);
+    // Whoever starts by a key goes on in the scene.
+    if (step === "start") app.canvas.focus({ preventScroll: true });
   }
 }
 
@@ -40,6 +45,14 @@ function watch({ store }: App): View {
   const alone = [{ ball: null, of_model: false }];
   return html`<button ?disabled=${!isSettled(state)} @click=${() => store.change(play, alone, null, false)}>
     ${state.text.make.watch}
+  </button>`;
+}
+
+/** Whatever moves by itself can be paused. */
+function animation({ store }: App): View {
+  const { intro, text } = store.state;
+  return html`<button class="plain" @click=${() => store.change(toggleIntro)}>
+    ${intro!.playing ? text.home.pause : text.home.play}
   </button>`;
 }
 

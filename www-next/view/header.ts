@@ -1,39 +1,63 @@
 // The header: which puzzle is open, the way to others, and the menu.
 
-import { html } from "lit-html";
+import { html, nothing } from "lit-html";
 import { goBy, goTo } from "../actions.ts";
 import { choose } from "../core/change/kept.ts";
+import { present } from "../core/change/route.ts";
+import { openSheet } from "../core/change/sheet.ts";
+import { canGoOn, isHidden } from "../core/derived/hidden.ts";
+import { isHome } from "../core/derived/home.ts";
 import { taskOf } from "../core/derived/next.ts";
 import { theme } from "../core/derived/looks.ts";
 import { LANGUAGES } from "../text/text.ts";
 import { icon } from "./icons.ts";
 import type { Language, Theme } from "../core/change/kept.ts";
+import type { State } from "../core/state.ts";
 import type { App, View } from "./view.ts";
 
 export function header(app: App): View {
   const { store } = app;
-  const { text, puzzle } = store.state;
+  const { state } = store;
+  const { text } = state;
   return html`<header>
-    <a class="brand" href="#" aria-label=${text.page.brand}>${icon("brand")}</a>
-    <nav class="picker">
-      <button aria-label=${text.page.previous} @click=${() => goBy(store, -1)}>${icon("previous")}</button>
-      <div class="title">
-        <h1>${text.puzzle.name(puzzle.about)}</h1>
-        <input
-          class="number"
-          size="9"
-          spellcheck="false"
-          autocomplete="off"
-          ?hidden=${puzzle.about.id === null}
-          aria-label=${text.page.number}
-          .value=${puzzle.about.id ?? ""}
-          @change=${typed}
-        />
-      </div>
-      <button aria-label=${text.page.next} @click=${() => goBy(store, 1)}>${icon("next")}</button>
-    </nav>
+    ${
+      isHidden(state, "puzzles")
+        ? html`<span class="brand">${icon("brand")}</span>`
+        : html`<a class="brand" href="#" aria-label=${text.page.brand}>${icon("brand")}</a>`
+    }
+    ${isHome(state) ? html`<strong class="picker">${text.page.brand}</strong>` : canGoOn(state) ? picker(app) : title(state)}
+    <button class="share" aria-label=${text.page.share} @click=${() => store.change(openSheet, "share")}>
+      ${icon("share")}
+    </button>
     ${menu(app)}
   </header>`;
+}
+
+/** Which puzzle is open, where a lesson leads to no other. */
+function title({ text, puzzle }: State): View {
+  return html`<div class="picker"><h1>${text.puzzle.name(puzzle.about)}</h1></div>`;
+}
+
+function picker({ store }: App): View {
+  const { text, puzzle } = store.state;
+  const field = html`<input
+    class="number"
+    size="9"
+    spellcheck="false"
+    autocomplete="off"
+    ?hidden=${puzzle.about.id === null}
+    aria-label=${text.page.number}
+    .value=${puzzle.about.id ?? ""}
+    @change=${typed}
+  />`;
+  return html`<nav class="picker">
+    <button aria-label=${text.page.previous} @click=${() => goBy(store, -1)}>${icon("previous")}</button>
+    <div class="title">
+      <h1>${text.puzzle.name(puzzle.about)}</h1>
+      ${isHidden(store.state, "puzzles") ? nothing : field}
+    </div>
+    <button aria-label=${text.page.next} @click=${() => goBy(store, 1)}>${icon("next")}</button>
+  </nav>`;
 
   function typed({ target }: Event): void {
     const field = target as HTMLInputElement;
@@ -48,6 +72,11 @@ function menu({ store }: App): View {
   return html`<details class="menu" @keydown=${closed} @focusout=${left}>
     <summary aria-label=${text.page.menu}>${icon("menu")}</summary>
     <div class="sheet">
+      <div class="items">
+        <button @click=${() => store.change(openSheet, "lesson")}>${text.share.titles.lesson}</button>
+        ${isHome(state) ? nothing : html`<button @click=${() => store.change(present, "presentation")}>${text.page.present}</button>`}
+        <button @click=${() => store.change(openSheet, "about")}>${text.share.titles.about}</button>
+      </div>
       <fieldset>
         <legend>${text.page.language}</legend>
         ${Object.entries(LANGUAGES).map(

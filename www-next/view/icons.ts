@@ -8,6 +8,7 @@ const ICONS = {
   previous: svg`<path d="M15.5 5 8.5 12l7 7" class="line"/>`,
   next: svg`<path d="m8.5 5 7 7-7 7" class="line"/>`,
   menu: svg`<path d="M4 7h16M4 12h16M4 17h16" class="line"/>`,
+  share: svg`<path d="M12 15V4M8 7.5 12 3.5l4 4M6 11H4.5v9.5h15V11H18" class="line"/>`,
   replay: svg`<path d="M5 12a7 7 0 1 0 2.5-5.4M5 4v4h4" class="line"/>`,
 };
 

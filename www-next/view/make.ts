@@ -246,7 +246,8 @@ function keeping({ store }: App): View {
   }
 }
 
-function yours({ store }: App): View {
+/** The kept puzzles; nothing while there are none. */
+export function yours({ store }: App): View {
   const { kept, text } = store.state;
   const puzzles = Object.entries(kept.puzzles).flatMap(([key, { scene }]) =>
     scene && problemsOf(scene).length === 0 ? [{ key, scene }] : [],

@@ -1,9 +1,11 @@
 // What there is to say now: the ball's place, the verdict of a round.
 
 import { html, nothing } from "lit-html";
+import { openSheet } from "../core/change/sheet.ts";
 import { show } from "../core/change/run.ts";
 import { searched } from "../core/derived/check.ts";
-import { attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
+import { introMiss, introPhase, introShown } from "../core/derived/home.ts";
+import { attempts, attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
 import { fault, goal } from "../core/derived/placing.ts";
 import { ended } from "../core/derived/run.ts";
 import { madeInWords, problemsHere } from "./make.ts";
@@ -15,15 +17,22 @@ export function news(app: App): View {
   const { state } = app.store;
   const told = verdict(state);
   if (!told) return html`<p class="hint">${hint(state)}</p>`;
+  const isWon = told.outcome === "won" || (told.outcome === "solved" && state.route.challenge !== null);
   return html`<div class="verdict ${told.outcome}">
     <p class="outcome">${state.text.play.verdict(told)}</p>
     ${details(state, told).map((sentence) => html`<p>${sentence}</p>`)} ${unveil(app)}
+    ${
+      isWon && !app.embedded
+        ? html`<button @click=${() => app.store.change(openSheet, "share")}>${state.text.share.send}</button>`
+        : nothing
+    }
   </div>`;
 }
 
 /** The same for a screen reader, once nothing moves: it would never come to an end. */
 export function announcement(state: State): string {
-  if (state.placement.drag || state.make?.drag || state.run?.playing || state.check?.seeking) return "";
+  if (state.placement.drag || state.make?.drag || state.run?.playing || state.check?.seeking || introShown(state))
+    return "";
   if (state.route.panel === "make" && !state.run && !searched(state)) return madeInWords(state) || hint(state);
   const told = verdict(state);
   return told ? [state.text.play.verdict(told), ...details(state, told)].join(" ") : hint(state);
@@ -40,6 +49,7 @@ export function description({ puzzle, placement, text, ...state }: State): strin
 
 function hint(state: State): string {
   const { text, puzzle, placement, route, run } = state;
+  if (introShown(state)) return caption(state);
   const wrong = fault(state);
   const looked = searched(state);
   if (run) return ended(state) ? "" : text.play.running;
@@ -47,13 +57,32 @@ function hint(state: State): string {
   if (route.panel === "make") return problemsHere(state).length ? text.make.broken : text.make.hint;
   if (wrong) return text.puzzle.fault(wrong, puzzle.scene.bodies);
   if (attemptLimitReached(state)) return text.play.full;
-  return placement.ball ? text.play.ready : text.play.placeFirst;
+  if (placement.ball) return text.play.ready;
+  return route.challenge && attempts(state).length === 0 ? text.share.challenge(route.challenge) : text.play.placeFirst;
 }
 
-function details({ text }: State, told: Verdict): string[] {
+/** What the show on the home page shows. */
+function caption(state: State): string {
+  const { futures } = state.answers;
+  if (!futures) return state.text.home.waiting;
+  const miss = introMiss(state)!;
+  switch (introPhase(state)) {
+    case "imagine":
+      return state.text.home.imagine(futures.futures.length);
+    case "pick":
+      return state.text.home.pick(futures.imagined.probability);
+    case "real":
+      return state.text.home.real;
+    case "result":
+      return state.text.home.result(miss.solved, miss.off, futures.ball[2]);
+  }
+}
+
+function details({ text, route }: State, told: Verdict): string[] {
   const { facts, guessed, luck, radius } = told;
   return [
     facts.ending.solved ? null : text.play.miss(told),
+    facts.ending.solved && route.challenge ? text.share.challenged(told.round, route.challenge) : null,
     luck && text.play.luck(luck.solved, luck.valid),
     guessed && text.play.guessed(guessed.chance, guessed.off, radius),
   ].filter((sentence) => sentence !== null);

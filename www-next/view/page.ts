@@ -1,32 +1,56 @@
-// A puzzle as a whole: header, notice, scene with its controls, verdict and panels.
+// The page as a whole: header, notice, the scene with its controls and verdict; beside it panels, or what to begin with.
 
 import { html, nothing } from "lit-html";
+import { present } from "../core/change/route.ts";
 import { setNotice } from "../core/change/settings.ts";
+import { difficulty, introShown, isHome, taskOfDay } from "../core/derived/home.ts";
 import { goal } from "../core/derived/placing.ts";
+import { benchmark, rateOf } from "../simulator.ts";
 import { controls } from "./controls.ts";
 import { header } from "./header.ts";
 import { problem } from "./make.ts";
+import { gallery, headline, picks } from "./home.ts";
 import { panels } from "./panels.ts";
 import { announcement, news } from "./news.ts";
+import { sheets } from "./sheets.ts";
 import type { App, View } from "./view.ts";
 
 export function page(app: App): View {
   const { state } = app.store;
-  const { text, puzzle } = state;
-  return html`<div class="app">
-    ${app.embedded ? nothing : header(app)} ${notice(app)}
-    <main class="puzzle">
-      <div class="goal">
-        <p><strong>${text.puzzle.goal(...goal(state))}</strong></p>
-        <p class="quiet">${text.puzzle.instructions(puzzle.about)}</p>
-      </div>
+  const { text, route } = state;
+  const home = isHome(state);
+  const isPresented = route.view === "presentation" && !home;
+  return html`<div class="app ${isPresented ? "presentation" : ""}">
+    ${app.embedded || isPresented ? nothing : header(app)} ${notice(app)}
+    <main class="puzzle ${home ? "home" : ""}">
+      <div class="goal">${home ? headline(app) : task(app)}</div>
       <section class="scene" aria-label=${text.page.scene}>${app.canvas}${problem(app)}</section>
       <section class="controls">${controls(app)}</section>
       <section class="news">${news(app)}</section>
-      <section class="side">${panels(app)}</section>
+      <section class="side">${introShown(state) ? picks(app) : isPresented ? leave(app) : panels(app)}</section>
     </main>
+    ${home ? gallery(app) : nothing}
     <p class="unseen" role="status">${announcement(state)}</p>
+    ${sheets(app)}
   </div>`;
+}
+
+/** What is asked, what happens in the puzzle, and how hard it is. */
+function task({ store }: App): View {
+  const { state } = store;
+  const { text, puzzle, device } = state;
+  const { id } = puzzle.about;
+  const isDaily = id !== null && id === taskOfDay(benchmark(), device.day);
+  return html`${isDaily ? html`<p class="daily">${text.home.day}</p>` : nothing}
+    <p><strong>${text.puzzle.goal(...goal(state))}</strong></p>
+    <p class="quiet">
+      ${text.puzzle.instructions(puzzle.about)}
+      ${id === null ? nothing : text.home.howHard(difficulty(rateOf(id)), rateOf(id))}
+    </p>`;
+}
+
+function leave({ store }: App): View {
+  return html`<button @click=${() => store.change(present, null)}>${store.state.text.page.leave}</button>`;
 }
 
 function notice({ store }: App): View {

@@ -1,7 +1,8 @@
 // The panels beside the scene. To add one: name it in core/change/route.ts, and here.
 
 import { html, nothing } from "lit-html";
-import { PANELS, openPanel } from "../core/change/route.ts";
+import { openPanel } from "../core/change/route.ts";
+import { shownPanel, shownPanels } from "../core/derived/hidden.ts";
 import { make } from "./make.ts";
 import { play } from "./play.ts";
 import type { Panel } from "../core/change/route.ts";
@@ -14,22 +15,26 @@ const VIEWS: Record<Panel, { tab(text: Text): string; view(app: App): View }> = 
 };
 
 export function panels(app: App): View {
-  const { route, text } = app.store.state;
-  return html`${PANELS.length > 1 ? tabs(app) : nothing}
-    <div class="panel" role=${PANELS.length > 1 ? "tabpanel" : nothing} aria-label=${VIEWS[route.panel].tab(text)}>
-      ${VIEWS[route.panel].view(app)}
+  const { state } = app.store;
+  const panel = VIEWS[shownPanel(state)];
+  const hasTabs = shownPanels(state).length > 1;
+  return html`${hasTabs ? tabs(app) : nothing}
+    <div class="panel" role=${hasTabs ? "tabpanel" : nothing} aria-label=${panel.tab(state.text)}>
+      ${panel.view(app)}
     </div>`;
 }
 
 function tabs({ store }: App): View {
-  const { route, text } = store.state;
+  const { text } = store.state;
+  const panels = shownPanels(store.state);
+  const open = shownPanel(store.state);
   return html`<div class="tabs" role="tablist" aria-label=${text.page.tabs}>
-    ${PANELS.map(
+    ${panels.map(
       (panel) =>
         html`<button
           role="tab"
-          aria-selected=${panel === route.panel}
-          tabindex=${panel === route.panel ? 0 : -1}
+          aria-selected=${panel === open}
+          tabindex=${panel === open ? 0 : -1}
           @click=${() => store.change(openPanel, panel)}
           @keydown=${(event: KeyboardEvent) => moved(event, panel)}
         >
@@ -41,9 +46,9 @@ function tabs({ store }: App): View {
   function moved(event: KeyboardEvent, from: Panel): void {
     const places = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (!places) return;
-    const to = PANELS.at((PANELS.indexOf(from) + places) % PANELS.length)!;
+    const to = panels.at((panels.indexOf(from) + places) % panels.length)!;
     store.change(openPanel, to);
-    const tab = (event.currentTarget as HTMLElement).parentElement!.children[PANELS.indexOf(to)];
+    const tab = (event.currentTarget as HTMLElement).parentElement!.children[panels.indexOf(to)];
     (tab as HTMLElement).focus();
   }
 }

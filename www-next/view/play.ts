@@ -7,6 +7,7 @@ import { toggleLayer } from "../core/change/route.ts";
 import { show } from "../core/change/run.ts";
 import { missesInARow, modelSolvedAt, rounds } from "../core/derived/duel.ts";
 import { isDark } from "../core/derived/looks.ts";
+import { isAlone, isHidden } from "../core/derived/hidden.ts";
 import { MAPS } from "../pkg/constants.ts";
 import { mapPicture } from "../simulator.ts";
 import { check } from "./check.ts";
@@ -18,19 +19,20 @@ import type { App, View } from "./view.ts";
 const MISSES = 3;
 
 export function play(app: App): View {
+  if (isHidden(app.store.state, "model")) return duel(app);
   return html`${duel(app)} ${model(app)} ${switches(app)} ${offered(app)} ${maps(app)}`;
 }
 
 function duel({ store }: App): View {
   const { state } = store;
-  const { text, run, kept } = state;
+  const { text, run } = state;
   const made = rounds(state);
   const modelAt = modelSolvedAt(state);
-  if (made.length === 0) return kept.alone ? nothing : html`<p class="quiet">${text.play.noAttempts}</p>`;
+  if (made.length === 0) return isAlone(state) ? nothing : html`<p class="quiet">${text.play.noAttempts}</p>`;
   return html`<div class="duel">
     <div class="who" aria-hidden="true">
       <span class="you">${text.play.you}</span>
-      ${kept.alone ? nothing : html`<span class="model">${text.play.model}</span>`}
+      ${isAlone(state) ? nothing : html`<span class="model">${text.play.model}</span>`}
     </div>
     <ol aria-label=${text.play.duel}>
       ${made.map(
@@ -42,7 +44,7 @@ function duel({ store }: App): View {
               @click=${() => store.change(show, round.number)}
             >
               <span class=${round.player.status}>${round.player.status === "solved" ? "✓" : "✕"}</span>
-              ${kept.alone ? nothing : modelMark(round)}
+              ${isAlone(state) ? nothing : modelMark(round)}
             </button>
           </li>`,
       )}
@@ -85,10 +87,10 @@ function model({ store }: App): View {
 }
 
 function switches({ store }: App): View {
-  const { kept, text } = store.state;
+  const { kept, route, text } = store.state;
   return html`<div class="switches">
-    ${checkbox(kept.guess, text.play.guess, (guess) => store.change(choose, { guess }))}
-    ${checkbox(kept.alone, text.play.alone, (alone) => store.change(choose, { alone }))}
+    ${isHidden(store.state, "guess") ? nothing : checkbox(kept.guess, text.play.guess, (guess) => store.change(choose, { guess }))}
+    ${route.challenge !== null ? nothing : checkbox(kept.alone, text.play.alone, (alone) => store.change(choose, { alone }))}
   </div>`;
 }
 

@@ -30,7 +30,7 @@ import { readFile } from "../api/files.js";
  * @property {Ball} ball the one that the model picks
  * @property {{ steps: number[], object: number[], ball: number[], errors: number[], probability: number }} imagined for
  *   that ball: positions of the green object and of the ball after each of `steps`, and how far off the model expects
- *   those of the green object to be
+ *   those of the green object to be, then those of the ball
  * @property {{ bodies: number[], every: number, poses: number[][], touched: number }} real the poses of these bodies,
  *   one row for each `every` steps; `touched` is the step at which the last touch of object and goal begins
  * @property {number} miss mean distance of the green object from where it was imagined, px
@@ -38,8 +38,9 @@ import { readFile } from "../api/files.js";
 
 /**
  * `kinds`: by template, the path that the model imagines for the green object of its first task, from its start.
+ * `paths`: the same, by task, for the easiest task of each template that is new to the model.
  * `unsolved`: by model, puzzles that it does not solve in a hundred attempts, the easiest first.
- * @typedef {{ scene: RecordedScene, kinds: Record<string, number[]>, unsolved: Record<string, string[]> }} Recording
+ * @typedef {{ scene: RecordedScene, kinds: Record<string, number[]>, paths: Record<string, number[]>, unsolved: Record<string, string[]> }} Recording
  */
 
 const ADDRESS = new URL("../assets/home.json", import.meta.url);

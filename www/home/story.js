@@ -49,9 +49,11 @@ export class Story {
       .reverse();
     this.#guess = curve([x, y, ...imagined.object]);
     this.#guessOfBall = curve([ball[0], ball[1], ...imagined.ball]);
-    this.#guessErrors = curve([0, 0, ...imagined.errors.flatMap((error) => [error, 0])]).map(([error]) =>
-      Math.max(error, 0.5),
-    );
+    this.#guessErrors = curve([
+      0,
+      0,
+      ...imagined.errors.slice(0, imagined.steps.length).flatMap((error) => [error, 0]),
+    ]).map(([error]) => Math.max(error, 0.5));
     this.#touchTime = (scene.solved ? real.touched : steps) / STEPS_PER_SECOND;
     this.#realTime = this.#touchTime + (steps / STEPS_PER_SECOND - this.#touchTime) / WAITING_SPEED;
   }

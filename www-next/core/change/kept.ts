@@ -12,6 +12,8 @@ export interface Kept extends Choices {
   readonly version: 1;
   /** The player's attempts by the key of their puzzle, in order. */
   readonly attempts: Readonly<Record<string, readonly AttemptLine[]>>;
+  /** When all before was forgotten last, ms since 1970. */
+  readonly forgotten: number;
   /** The custom puzzles by their key. */
   readonly puzzles: Readonly<Record<string, KeptPuzzle>>;
 }
@@ -40,6 +42,7 @@ export const NOTHING_KEPT: Kept = {
   version: 1,
   attempts: {},
   puzzles: {},
+  forgotten: 0,
   guess: true,
   alone: false,
   live: true,
@@ -69,8 +72,17 @@ export function mergeKept(state: State, theirs: Kept): State {
   return { ...state, kept, run: moved ? null : state.run };
 }
 
-/** The first history, then what only the second knows; choices are those of the first. */
+/** Attempts from a file. */
+export function addAttempts(state: State, attempts: Kept["attempts"]): State {
+  return mergeKept(state, merged(state.kept, { ...state.kept, attempts }));
+}
+
+/** The first history, then what only the second knows; choices are those of the first. What was forgotten stays so. */
 export function merged(one: Kept, other: Kept): Kept {
+  if (one.forgotten !== other.forgotten) {
+    const { attempts, forgotten } = one.forgotten > other.forgotten ? one : other;
+    return { ...one, attempts, forgotten };
+  }
   const attempts = { ...one.attempts };
   for (const [key, lines] of Object.entries(other.attempts)) attempts[key] = mergedLines(attempts[key] ?? [], lines);
   const puzzles = { ...one.puzzles };

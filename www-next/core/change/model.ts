@@ -10,6 +10,7 @@ import type {
   ModelCard,
   TriedProposal,
 } from "../../pkg/page/pathlight.js";
+import type { Futures } from "./home.ts";
 import type { State } from "../state.ts";
 
 export type Model =
@@ -28,6 +29,8 @@ export interface Failure {
 
 export interface Answers {
   readonly maps: Maps | null;
+  /** What it imagines before its first ball, for the home page. */
+  readonly futures: Futures | null;
   /** Was the model trained on this very puzzle? Null while that is unknown. */
   readonly practised: boolean | null;
   /** The balls of the model's turn so far; it stops at the one that solves. */
@@ -50,6 +53,7 @@ export interface Solutions {
 export const MODEL_OFF: Model = { kind: "off" };
 export const NO_ANSWERS: Answers = {
   maps: null,
+  futures: null,
   practised: null,
   turn: [],
   guess: null,

@@ -1,6 +1,7 @@
 // The route: what the address names. `actions.ts` opens its puzzle.
 
 import { NO_ANSWERS } from "./model.ts";
+import { introOf } from "./home.ts";
 import { NO_BALL, place } from "./placement.ts";
 import type { Ball, MapName } from "../../pkg/page/pathlight.js";
 import type { Puzzle } from "../puzzle.ts";
@@ -10,14 +11,25 @@ import type { State } from "../state.ts";
 export const PANELS = ["play", "make"] as const;
 export type Panel = (typeof PANELS)[number];
 
+/** What a lesson may leave out: the ways to other puzzles, the model's guess, the model altogether, a panel. */
+export const HIDEABLE = ["puzzles", "guess", "model", ...PANELS] as const;
+export type Hideable = (typeof HIDEABLE)[number];
+
 export interface Route {
-  /** "00007:008"; null: none is named. */
+  /** "00007:008"; null: the home page, or a scene that is no task. */
   readonly task: string | null;
   /** A custom scene as text (core/scene-link.ts); null: a task is open. */
   readonly scene: string | null;
   readonly panel: Panel;
   /** The maps over the scene. */
   readonly layers: readonly MapName[];
+  /** The scene and one sentence, in large type. */
+  readonly view: "presentation" | null;
+  /** The ball with which whoever sent the link solved the puzzle. */
+  readonly challenge: number | null;
+  /** The puzzles of a lesson, in order; the ways to other puzzles lead through them. */
+  readonly lesson: readonly string[];
+  readonly hide: readonly Hideable[];
 }
 
 /** A route as a link has it, with the ball to place. */
@@ -25,11 +37,21 @@ export interface Link extends Route {
   readonly ball: Ball | null;
 }
 
-export const START: Link = { task: null, scene: null, panel: "play", layers: [], ball: null };
+export const START: Link = {
+  task: null,
+  scene: null,
+  panel: "play",
+  layers: [],
+  view: null,
+  challenge: null,
+  lesson: [],
+  hide: [],
+  ball: null,
+};
 
 /** Goes elsewhere within the open puzzle. A ball that the link does not name stays where it is. */
 export function routed(state: State, { ball, ...route }: Link): State {
-  const there = { ...state, route, notice: null };
+  const there = { ...state, route, notice: null, sheet: null };
   return ball ? place(there, ball, null) : there;
 }
 
@@ -45,11 +67,17 @@ export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): 
     check: null,
     make: null,
   };
-  return { ...(ball ? place(there, ball, null) : there), notice: null };
+  const home = { intro: introOf(route, puzzle), sheet: null, notice: null };
+  return { ...(ball ? place(there, ball, null) : there), ...home };
 }
 
 export function openPanel(state: State, panel: Panel): State {
   return { ...state, route: { ...state.route, panel } };
+}
+
+/** Begins the presentation, or leaves it. */
+export function present(state: State, view: Route["view"]): State {
+  return { ...state, route: { ...state.route, view }, sheet: null };
 }
 
 /** Lays a map over the scene, or takes it away. */

@@ -1,6 +1,7 @@
 // What the scene plays: a duel, in which the player's ball and the model's run over each other, and playback of it.
 
 import { attempts, attemptLimitReached, modelSolvedAt, playerSolvedAt } from "../derived/duel.ts";
+import { isAlone } from "../derived/hidden.ts";
 import { lastStep } from "../derived/run.ts";
 import { sameBall } from "../puzzle.ts";
 import { placing } from "./placement.ts";
@@ -42,7 +43,7 @@ export function show(state: State, round: number, unveiled = false): State {
 
 function showRound(state: State, round: number, unveiled: boolean, fresh: boolean): State {
   const player = attempts(state)[round - 1]?.ball ?? null;
-  const model = state.kept.alone ? null : modelBall(state, round, unveiled, fresh);
+  const model = isAlone(state) ? null : modelBall(state, round, unveiled, fresh);
   const balls = [player && { ball: player, of_model: false }, model && { ball: model, of_model: true }];
   return play(
     state,

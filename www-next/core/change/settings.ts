@@ -10,6 +10,8 @@ export interface Device {
   readonly theme: Theme;
   /** Motion is unwelcome. */
   readonly stillness: boolean;
+  /** By its calendar, in days since 1970. */
+  readonly day: number;
 }
 
 /** Why a scene may not be played; null: there is none. */
@@ -22,7 +24,10 @@ export type Notice =
   | { readonly kind: "no_task"; readonly task: string }
   | { readonly kind: "unread_link"; readonly parts: readonly string[] }
   | ({ readonly kind: "bad_scene" | "bad_file" } & BadScene)
-  | { readonly kind: "storage_full" };
+  | { readonly kind: "storage_full" }
+  /** A file has been read: what was new in it, and its lines that are no valid attempts. */
+  | { readonly kind: "file_read"; readonly attempts: number; readonly unread: number }
+  | { readonly kind: "file_unread"; readonly name: string };
 
 export function setDevice(state: State, device: Device): State {
   return { ...state, device };

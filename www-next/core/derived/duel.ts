@@ -2,6 +2,8 @@
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import { guess } from "./placing.ts";
+import { canGoOn, isAlone } from "./hidden.ts";
+import { introShown } from "./home.ts";
 import { ended, rollouts } from "./run.ts";
 import { sameBall } from "../puzzle.ts";
 import type { AttemptLine, Luck, RolloutFacts } from "../../pkg/page/pathlight.js";
@@ -37,7 +39,7 @@ export interface Round {
 }
 
 /** While a puzzle is made, it is tried, and one comes back to it. */
-export type Step = "drop" | "pause" | "play" | "again" | "next" | "try" | "make";
+export type Step = "start" | "drop" | "pause" | "play" | "again" | "next" | "try" | "make";
 
 export function attempts({ kept, puzzle }: State): readonly AttemptLine[] {
   return kept.attempts[puzzle.key] ?? [];
@@ -60,7 +62,7 @@ export function playerSolvedAt(state: State): number | null {
 
 /** The number of the model's ball that solved, within as many balls as the player has had. */
 export function modelSolvedAt(state: State): number | null {
-  if (state.kept.alone) return null;
+  if (isAlone(state)) return null;
   const told = state.answers.turn.slice(0, toldAttempts(state).length);
   return numberOf(told.findIndex(({ ending }) => ending.solved));
 }
@@ -68,7 +70,7 @@ export function modelSolvedAt(state: State): number | null {
 export function rounds(state: State): Round[] {
   const { turn } = state.answers;
   return toldAttempts(state).map((player, index) => {
-    const tried = state.kept.alone ? undefined : turn[index];
+    const tried = isAlone(state) ? undefined : turn[index];
     return { number: index + 1, player, model: tried ? { solved: tried.ending.solved } : null };
   });
 }
@@ -96,7 +98,7 @@ export function verdict(state: State): Verdict | null {
 }
 
 function outcomeOf(state: State, round: number, solved: boolean, modelAt: number | null): Outcome {
-  const isDuel = !state.kept.alone && (modelAt !== null || state.answers.turn.length >= round);
+  const isDuel = !isAlone(state) && (modelAt !== null || state.answers.turn.length >= round);
   if (!isDuel) return solved ? "solved" : "missed";
   if (solved) return modelAt === null ? "won" : modelAt === round ? "draw" : "late";
   return modelAt === null ? "neither" : modelAt === round ? "lost" : "behind";
@@ -110,11 +112,13 @@ export function missesInARow(state: State): number {
 
 /** What the large button does. */
 export function nextStep(state: State): Step {
+  if (introShown(state)) return "start";
   const isMaking = state.route.panel === "make";
   if (!state.run) return isMaking ? "try" : "drop";
   if (!ended(state)) return state.run.playing ? "pause" : "play";
   if (isMaking) return "make";
-  return state.run.round !== null && playerSolvedAt(state) !== null ? "next" : "again";
+  const isSolved = state.run.round !== null && playerSolvedAt(state) !== null;
+  return isSolved && canGoOn(state) ? "next" : "again";
 }
 
 function numberOf(index: number): number | null {

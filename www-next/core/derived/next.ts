@@ -12,6 +12,12 @@ export interface Benchmark {
 /** How much harder the next puzzle is: its share of solving balls by that of the present one. */
 const HARDER = 0.8;
 
+/**
+ * The puzzle with which the home page begins. The model imagines it well and misses it all the same, so whoever has
+ * watched can win, and has not seen the answer. What it imagines has been recorded.
+ */
+export const FIRST_TASK = "00013:193";
+
 /** The next puzzle after one; `tried`: has the person played it? */
 export function nextTask(
   { tasks, rates, unseen }: Benchmark,
@@ -37,7 +43,7 @@ export function nextTask(
 }
 
 /** The task some places further in the list, which is a ring. */
-export function neighbour({ tasks }: Benchmark, from: string | null, places: number): string {
+export function neighbour({ tasks }: Pick<Benchmark, "tasks">, from: string | null, places: number): string {
   const here = from === null ? 0 : tasks.indexOf(from);
   return tasks.at((here + places) % tasks.length)!;
 }

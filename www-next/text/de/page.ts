@@ -5,7 +5,7 @@ import { make } from "./make.ts";
 import type { Failure } from "../../core/change/model.ts";
 import type { Text } from "../text.ts";
 
-const { percent } = formatsOf("de");
+const { counted, percent } = formatsOf("de");
 
 const FAILURES: Record<Failure["code"], string> = {
   offline: "Keine Verbindung. Du kannst weiterspielen; das Modell kommt, sobald du wieder online bist.",
@@ -18,6 +18,9 @@ const FAILURES: Record<Failure["code"], string> = {
 export const page: Text["page"] = {
   brand: "Pathlight",
   skip: "Zur Szene springen",
+  share: "Teilen",
+  present: "Präsentation",
+  leave: "Präsentation verlassen",
   previous: "Voriges Rätsel",
   next: "Nächstes Rätsel der Liste",
   number: "Nummer des Rätsels",
@@ -44,6 +47,13 @@ export const page: Text["page"] = {
         return `Diese Datei wurde nicht geöffnet: ${notice.problem ? make.problem(notice.problem) : "Darin ist kein Rätsel von Pathlight."}`;
       case "storage_full":
         return "In diesem Browser ist kein Platz mehr: Was du jetzt spielst, ist vergessen, wenn du gehst.";
+      case "file_read":
+        return (
+          `Neu hier: ${counted(notice.attempts, "Kugel", "Kugeln")}.` +
+          (notice.unread ? ` Weggelassen: ${counted(notice.unread, "Zeile", "Zeilen")} ohne gültigen Versuch.` : "")
+        );
+      case "file_unread":
+        return `In ${notice.name} stehen keine Versuche. Nimm eine Datei, die Pathlight gespeichert hat.`;
     }
   },
 };

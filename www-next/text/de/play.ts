@@ -2,19 +2,11 @@
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import { GOAL_SECONDS, formatsOf, secondsOf } from "../formats.ts";
-import { widthsIn } from "../widths.ts";
+import { balls } from "./widths.ts";
 import type { Outcome } from "../../core/derived/duel.ts";
 import type { Text } from "../text.ts";
 
-const { counted, number, percent, seconds } = formatsOf("de");
-
-const balls = widthsIn({
-  hair: "ein Haar",
-  quarter: "eine Viertelkugel",
-  half: "eine halbe Kugel",
-  one: "eine Kugelbreite",
-  more: (count) => `${number(count)} Kugeln`,
-});
+const { counted, percent, seconds } = formatsOf("de");
 
 const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => string> = {
   won: (round) =>
@@ -31,6 +23,7 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 export const play: Text["play"] = {
   tab: "Spielen",
   step: {
+    start: "Spiel gegen sie",
     drop: "Fallen lassen",
     pause: "Pause",
     play: "Weiter",

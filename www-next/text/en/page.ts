@@ -5,7 +5,7 @@ import type { Notice } from "../../core/change/settings.ts";
 import { formatsOf } from "../formats.ts";
 import { make } from "./make.ts";
 
-const { percent } = formatsOf("en-GB");
+const { counted, percent } = formatsOf("en-GB");
 
 const FAILURES: Record<Failure["code"], string> = {
   offline: "No connection. You can play on; the model comes when you are back.",
@@ -18,6 +18,9 @@ const FAILURES: Record<Failure["code"], string> = {
 export const page = {
   brand: "Pathlight",
   skip: "Skip to the scene",
+  share: "Share",
+  present: "Presentation",
+  leave: "Leave the presentation",
   previous: "Previous puzzle",
   next: "Next puzzle in the list",
   number: "Number of the puzzle",
@@ -44,6 +47,13 @@ export const page = {
         return `This file was not opened: ${notice.problem ? make.problem(notice.problem) : "it holds no puzzles of Pathlight."}`;
       case "storage_full":
         return "This browser has no room left: what you play now is forgotten when you leave.";
+      case "file_read":
+        return (
+          `${counted(notice.attempts, "ball is", "balls are")} new here.` +
+          (notice.unread ? ` ${counted(notice.unread, "line", "lines")} without a valid attempt were left out.` : "")
+        );
+      case "file_unread":
+        return `${notice.name} holds no attempts. Choose a file that Pathlight has saved.`;
     }
   },
 };

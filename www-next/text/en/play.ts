@@ -2,20 +2,11 @@
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import { GOAL_SECONDS, formatsOf, secondsOf } from "../formats.ts";
-import { widthsIn } from "../widths.ts";
+import { balls } from "./widths.ts";
 import type { Outcome, Verdict } from "../../core/derived/duel.ts";
 import type { MapName } from "../../pkg/page/pathlight.js";
 
-const { counted, number, percent, seconds } = formatsOf("en-GB");
-
-/** A distance in widths of the ball. */
-const balls = widthsIn({
-  hair: "a hair",
-  quarter: "a quarter of a ball",
-  half: "half a ball",
-  one: "a ball’s width",
-  more: (count) => `${number(count)} balls`,
-});
+const { counted, percent, seconds } = formatsOf("en-GB");
 
 const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => string> = {
   won: (round) => (round === 1 ? "You beat the model with your first ball!" : `You beat the model with ball ${round}!`),
@@ -31,6 +22,7 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 export const play = {
   tab: "Play",
   step: {
+    start: "Play against it",
     drop: "Drop it",
     pause: "Pause",
     play: "Go on",

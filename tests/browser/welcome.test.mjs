@@ -1,0 +1,261 @@
+// The page of www-next as a newcomer meets it: home, sharing, lessons, and without a network.
+
+import assert from "node:assert/strict";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { axeFindsNothingInLightAndDark } from "./axe.mjs";
+import { startOn } from "./harness.mjs";
+import {
+  EASY,
+  button,
+  described,
+  drop,
+  known,
+  modelIsThere,
+  openPuzzle,
+  place,
+  says,
+  spot,
+  startPlayer,
+} from "./player.mjs";
+import { serveStatic } from "./static-server.mjs";
+import { buildDist } from "../../scripts/build-dist-next.mjs";
+
+/** The puzzle in the picture, which has been recorded. */
+const FIRST_TASK = JSON.parse(await readFile(new URL("../../assets/home.json", import.meta.url), "utf8")).scene.task;
+
+let session;
+before(async () => {
+  session = await startPlayer();
+});
+after(() => session.stop());
+
+/** @type {import("playwright-core").BrowserContextOptions} */
+const STILL = { reducedMotion: "reduce" };
+const heading = (page, name) => page.getByRole("heading", { name });
+
+/** @param {import("playwright-core").BrowserContextOptions} options */
+async function openHome(options = STILL) {
+  const page = await session.open("", options);
+  await page.goto(`${session.origin}/`);
+  await button(page, /Play against it|Spiel gegen sie/).waitFor();
+  return page;
+}
+
+test("the picture shows what the model imagines; a tap in it, and one plays against it and can win at once", async () => {
+  const page = await openHome({});
+  await page.getByText("It imagines 40 futures").waitFor();
+  await page.getByText("and picks one").waitFor();
+  await page.getByText("its ball really drops").waitFor();
+  await page.getByText("Your turn").waitFor();
+  const { solving } = await known(FIRST_TASK);
+  await page.mouse.click(...(await spot(page, solving[0], solving[1])));
+  await page.getByRole("slider", { name: "Radius" }).fill(String(solving[2]));
+  await described(page, new RegExp(`x ${solving[0]}, y ${solving[1]}, with radius ${solving[2]}`));
+  assert.equal(new URL(page.url()).hash, "");
+  await modelIsThere(page);
+  await page.getByRole("application").press("Enter");
+  await page.getByRole("combobox", { name: "Speed" }).selectOption("4×");
+  await says(page, /You beat the model with your first ball!/);
+  await button(page, "Send it on").click();
+  const dialog = page.getByRole("dialog", { name: "Share" });
+  await dialog.getByText("I beat the model").waitFor();
+  assert.match(await dialog.getByRole("textbox").inputValue(), new RegExp(`#task=${FIRST_TASK}&challenge=1$`));
+  await dialog.getByRole("img").waitFor();
+  await page.keyboard.press("Escape");
+  await button(page, "Next puzzle").click();
+  await page.waitForURL(/#task=/);
+});
+
+test("by keys: one button starts, and the focus is in the scene", async () => {
+  const page = await openHome();
+  await button(page, "Play against it").focus();
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("ArrowRight");
+  await described(page, /Your ball is at/);
+  await button(page, "Drop it").waitFor();
+});
+
+test("where motion is unwelcome the end is shown at once; else the animation can be paused", async () => {
+  const still = await openHome();
+  await still.getByText("Your turn").waitFor();
+  const moving = await openHome({});
+  await button(moving, "Pause the animation").click();
+  await button(moving, "Play the animation").waitFor();
+});
+
+test("a kind opens the puzzle that it names, and says afterwards how far one has come", async () => {
+  const page = await openHome();
+  const tiles = page.locator("ul.kinds").getByRole("link");
+  assert.equal(await tiles.count(), 25);
+  await page.getByRole("link", { name: /^Two Drops/ }).click();
+  await heading(page, "Two Drops").waitFor();
+  const task = /task=([\d:]+)/.exec(page.url())?.[1] ?? "";
+  const { missing } = await known(task);
+  await place(page, missing[0], task);
+  await drop(page);
+  await page.getByRole("link", { name: "Pathlight" }).click();
+  await page.getByRole("link", { name: /^Two Drops.*Puzzle 1 of 20 · 1 ✕/s }).waitFor();
+  await page.getByText("So far you have tried 1 puzzle and solved 0, with 1 ball").waitFor();
+});
+
+test("a puzzle is opened by its number, the one of the day says so, and back leads home", async () => {
+  const page = await openHome();
+  await page.getByRole("textbox", { name: "Or by number" }).fill("7:8");
+  await page.keyboard.press("Enter");
+  await heading(page, "Funnel").waitFor();
+  await page.goBack();
+  await page.getByRole("link", { name: /Puzzle of the day/ }).click();
+  await page.getByText("Puzzle of the day").waitFor();
+});
+
+test("progress is saved to a file, forgotten, and read again; a file of other things is named", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}`, STILL);
+  const { missing } = await known();
+  await place(page, missing[0]);
+  await drop(page);
+  await page.getByRole("link", { name: "Pathlight" }).click();
+  await page.getByText("So far you have tried 1 puzzle").click();
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Save to a file").click()]);
+  const file = await download.path();
+  await button(page, "Forget everything").click();
+  await page.getByRole("dialog").getByRole("button", { name: "Forget everything" }).click();
+  await page.getByText("Your progress").waitFor();
+  const input = page.getByLabel("Open a file");
+  const line = await readFile(file, "utf8");
+  // With the mark that some systems put first, and a line that is no attempt of the simulator.
+  const text = `\uFEFF${line}${line.replace(/"digest":"./, '"digest":"x')}`;
+  await input.setInputFiles({ name: "progress.jsonl", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.getByRole("alert").getByText("1 ball is new here. 1 line without a valid attempt").waitFor();
+  await page.getByText("So far you have tried 1 puzzle").waitFor();
+  await input.setInputFiles({ name: "cat.png", mimeType: "image/png", buffer: Buffer.from([137, 80]) });
+  await page.getByRole("alert").getByText("cat.png holds no attempts").waitFor();
+});
+
+test("a challenge shows nothing of the model until it is solved", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&challenge=2`, STILL);
+  await page.getByText("Somebody solved this with ball 2").first().waitFor();
+  assert.equal(await page.getByRole("checkbox", { name: "The model’s guess" }).count(), 0);
+  const { solving } = await known();
+  await page.evaluate((hash) => (location.hash = hash), `#task=${EASY}&challenge=2&ball=${solving.join()}`);
+  await drop(page);
+  await says(page, /You win: they needed 2 balls/);
+  await modelIsThere(page);
+});
+
+test("text and link are there without a picture, and it is said why there is none", async () => {
+  const page = await session.open("", STILL);
+  await page.addInitScript(() => (HTMLCanvasElement.prototype.toBlob = (answer) => answer(null)));
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  await button(page, "Share").click();
+  await page.getByText("This browser gives no picture").waitFor();
+  const noisy = await session.open("", STILL);
+  await noisy.addInitScript(() => {
+    const { getImageData } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.getImageData = function (...place) {
+      const image = getImageData.apply(this, place);
+      image.data[0] ^= 1;
+      return image;
+    };
+  });
+  await noisy.goto(`${session.origin}/#task=${EASY}`);
+  await button(noisy, "Share").click();
+  await noisy.getByText("stripes instead of one").waitFor();
+});
+
+test("a lesson of two puzzles without the model leads from one to the other alone, and has a QR code", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}`, STILL);
+  await page.locator("summary[aria-label=Menu]").click();
+  await button(page, "Link for a lesson").click();
+  const dialog = page.getByRole("dialog", { name: "Link for a lesson" });
+  await dialog.getByRole("textbox", { name: "Puzzles" }).fill("7:8 nonsense");
+  await dialog.getByRole("alert").getByText("is no puzzle").waitFor();
+  await dialog.getByRole("textbox", { name: "Puzzles" }).fill("7:8, 0:58");
+  await dialog.getByRole("radio", { name: "Play only" }).check();
+  await dialog.getByText("Customise").click();
+  await dialog.getByRole("checkbox", { name: "The model", exact: true }).uncheck();
+  await dialog.getByRole("img", { name: "QR code" }).waitFor();
+  const address = await dialog.getByRole("textbox", { name: "The link" }).inputValue();
+  assert.match(address, /#task=00007:008&lesson=00007:008,00000:058&hide=puzzles,model/);
+  const lesson = await session.openIn(page.context(), "");
+  await lesson.goto(address);
+  await heading(lesson, "Funnel").waitFor();
+  assert.equal(await lesson.getByRole("checkbox").count(), 0);
+  await button(lesson, "Next puzzle in the list").click();
+  await heading(lesson, "Two Drops").waitFor();
+  await button(lesson, "Next puzzle in the list").click();
+  await heading(lesson, "Funnel").waitFor();
+});
+
+test("the presentation shows scene and sentence, can be played, and is left by Escape", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&view=presentation`, STILL);
+  await page.getByText("Two balls fall side by side").waitFor();
+  assert.equal(await page.getByRole("banner").count(), 0);
+  const { missing } = await known();
+  await page.mouse.click(...(await spot(page, missing[0][0] + 20, missing[0][1])));
+  await described(page, /Your ball is at/);
+  await page.keyboard.press("Escape");
+  await heading(page, "Two Drops").waitFor();
+});
+
+test("home and sheets have nothing that axe objects to, in light and dark", async () => {
+  const page = await openHome();
+  await page.getByText("Your turn").waitFor();
+  await axeFindsNothingInLightAndDark(page, "home");
+  for (const [item, sign] of [
+    ["Link for a lesson", page.getByRole("img", { name: "QR code" })],
+    ["About Pathlight", page.getByText("How to cite it")],
+  ]) {
+    await page.locator("summary[aria-label=Menu]").click();
+    await button(page, item).click();
+    await sign.waitFor();
+    await axeFindsNothingInLightAndDark(page, item);
+    await page.keyboard.press("Escape");
+  }
+  await button(page, "Share").click();
+  await page.getByRole("dialog").getByRole("img").waitFor();
+  await axeFindsNothingInLightAndDark(page, "Share");
+});
+
+test("a server that answers with a page for every address is told from a broken connection", async () => {
+  const page = await session.open("", STILL);
+  await page.route(/safetensors/, (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html>" }));
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  await page.getByText("were not found on this server").waitFor();
+});
+
+test("once it was open, the page works without a network, and offers the next version", async () => {
+  const out = await mkdtemp(join(tmpdir(), "pathlight-dist-"));
+  await buildDist({ out, quality: 0 });
+  const server = await serveStatic(out, "/a/");
+  const offline = await startOn(server);
+  try {
+    const page = await offline.open("/", STILL);
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await page.reload();
+    await page.evaluate(() => navigator.serviceWorker.controller !== null);
+    await page.context().setOffline(true);
+    await page.goto(`${offline.origin}/#task=${EASY}`);
+    await page.reload();
+    await modelIsThere(page);
+    await button(page, "Drop it").waitFor();
+    await page.context().setOffline(false);
+    await buildDist({
+      out,
+      quality: 0,
+      change: (files) => files.set("style.css", Buffer.from(`${files.get("style.css")}\n`)),
+    });
+    await page.reload();
+    await page.getByText("There is a new version of Pathlight").waitFor();
+    const before = await page.locator("link[rel=stylesheet]").getAttribute("href");
+    await Promise.all([page.waitForNavigation(), button(page, "Load it").click()]);
+    await button(page, "Drop it").waitFor();
+    assert.notEqual(await page.locator("link[rel=stylesheet]").getAttribute("href"), before);
+  } finally {
+    offline.problems.splice(0);
+    await offline.stop();
+    await rm(out, { recursive: true });
+  }
+});

@@ -1,0 +1,79 @@
+// Links: what people have from before opens what it named, or its closest successor; lessons and challenges hide.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PANELS, START, routed } from "../../www-next/core/change/route.ts";
+import { openSheet, toggleHidden, usePreset } from "../../www-next/core/change/sheet.ts";
+import { isAlone, isHidden, shownPanels } from "../../www-next/core/derived/hidden.ts";
+import { result } from "../../www-next/core/derived/home.ts";
+import { pageOf, readAddress, writeAddress } from "../../www-next/effects/address.ts";
+import { SOLVING, fresh, playAt } from "./player.ts";
+import type { Link } from "../../www-next/core/change/route.ts";
+
+/** Panels that are there are opened; without them nothing is worth a link. */
+const panel = (name: string) =>
+  ({ panel: (PANELS as readonly string[]).includes(name) ? name : "play" }) as Partial<Link>;
+
+const OLD: [hash: string, now: Partial<Link>][] = [
+  ["", {}],
+  ["task=00007:008", { task: "00007:008" }],
+  ["task=00007:008&panel=compare", { task: "00007:008", panel: "play" }],
+  ["task=00007:008&panel=imagine", { task: "00007:008", ...panel("imagine") }],
+  ["task=00007:008&panel=map&layers=placement", { task: "00007:008", ...panel("imagine"), layers: ["placement"] }],
+  ["task=00007:008&layers=base,judge&opacity=0.5", { task: "00007:008", layers: ["base", "success"] }],
+  ["task=00007:008&model=cross-0&proposal=3&ball=40,200,12", { task: "00007:008", ball: [40, 200, 12] }],
+  ["task=00007:008&view=presentation", { task: "00007:008", view: "presentation" }],
+  ["task=00007:008&view=stage", { task: "00007:008", view: "presentation" }],
+  ["task=00007:008&challenge=3", { task: "00007:008", challenge: 3 }],
+  ["task=00007:008&forecast=off", { task: "00007:008", hide: ["guess"] }],
+  ["task=00007:008&forecast=on", { task: "00007:008" }],
+  [
+    "task=00007:008&hide=puzzles,tools,compare&forecast=off",
+    { task: "00007:008", hide: ["puzzles", "guess", "model"] },
+  ],
+  ["task=00007:008&hide=tools,story,hint,fields,watch,attempts,transport,speed,save", { task: "00007:008" }],
+];
+
+test("every part of an old link is understood", () => {
+  for (const [hash, now] of OLD) {
+    const { link, unread } = readAddress(`#${hash}`);
+    assert.deepEqual(unread, [], hash);
+    assert.deepEqual(link, { ...START, ...now }, hash);
+    assert.deepEqual(readAddress(writeAddress(link)).link, link, hash);
+  }
+});
+
+test("results and the model that learns have pages of their own now, unless a puzzle is named too", () => {
+  assert.equal(pageOf("#view=results&model=cross-0"), "results.html");
+  assert.equal(pageOf("#view=learns"), "learns.html");
+  assert.equal(pageOf("#task=00007:008&view=results"), null);
+  assert.equal(pageOf("#view=constructor"), null);
+});
+
+test("a lesson names several puzzles; a challenge the ball that solved", () => {
+  const link: Link = { ...START, task: "00007:008", lesson: ["00007:008", "00001:002"], hide: ["guess"] };
+  assert.equal(writeAddress(link), "#task=00007:008&lesson=00007:008,00001:002&hide=guess");
+  assert.deepEqual(readAddress(writeAddress(link)).link, link);
+  for (const part of ["challenge=0", "challenge=101", "challenge=1e1", "lesson=7:8", "hide=nose2"])
+    assert.equal(writeAddress(readAddress(`#${part}`).link), "#", part);
+});
+
+test("in a challenge the person plays alone, and nothing gives the answer away until they have solved it", () => {
+  const challenged = routed(fresh, { ...START, task: "00000:000", challenge: 2 });
+  assert.ok(isAlone(challenged));
+  assert.ok(isHidden(challenged, "guess") && isHidden(challenged, "model"));
+  assert.deepEqual(shownPanels(challenged), ["play"]);
+  const solved = playAt(challenged, SOLVING);
+  assert.equal(isHidden(solved, "guess"), false);
+  assert.deepEqual(result(solved), { solvedAt: 1, modelAt: null, modelBalls: 0 });
+});
+
+test("a lesson begins with a preset, and each part can be chosen", () => {
+  const sheet = openSheet(fresh, "lesson");
+  assert.equal(sheet.lesson.tasks, "00000:000");
+  const play = usePreset(sheet, "play").lesson;
+  assert.ok(play.hide.includes("puzzles") && !play.hide.includes("play"));
+  const own = toggleHidden(usePreset(sheet, "predict"), "puzzles").lesson;
+  assert.equal(own.preset, null);
+  assert.ok(own.hide.includes("guess") && !own.hide.includes("puzzles"));
+});

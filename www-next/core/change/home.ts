@@ -1,0 +1,97 @@
+// The home page: what has been recorded for it, and the show in its scene. Futures fan out, the model picks one, and its
+// ball falls. The show ends as soon as the person places a ball: from then on it is their puzzle.
+
+import { introShown, isHome } from "../derived/home.ts";
+import { advance, play } from "./run.ts";
+import type { Ball, ImaginedBall } from "../../pkg/page/pathlight.js";
+import type { Route } from "./route.ts";
+import type { Puzzle } from "../puzzle.ts";
+import type { State } from "../state.ts";
+
+/** assets/home.json, as scripts/record-home.mjs writes it: what is shown before any weights are there. */
+export interface Recorded {
+  readonly scene: { readonly task: string } & Futures;
+  /** The path that the model imagines for the green object of the first puzzle of each kind: x, y, x, y, … px. */
+  readonly paths: Readonly<Record<string, readonly number[]>>;
+  /** By model, puzzles that it does not solve in a hundred attempts, the easiest first. */
+  readonly unsolved: Readonly<Record<string, readonly string[]>>;
+}
+
+/** What the model imagines of a puzzle before it drops its first ball. */
+export interface Futures {
+  /** Imagined paths of the green object, the likeliest first. */
+  readonly futures: readonly { readonly probability: number; readonly path: ArrayLike<number> }[];
+  /** The ball that it picks. */
+  readonly ball: Ball;
+  readonly imagined: Readonly<Record<"object" | "ball" | "errors", ArrayLike<number>>> &
+    Pick<ImaginedBall, "probability">;
+}
+
+export interface Intro {
+  /** Since its beginning, ms. The fall has the time of its run. */
+  readonly time: number;
+  readonly playing: boolean;
+  /** How often it has been shown to its end. */
+  readonly rounds: number;
+}
+
+/** How long the futures fan out, one is picked, and the end is looked at, ms. */
+export const IMAGINE = 2600;
+export const PICK = 1800;
+const RESULT = 4000;
+/** A page that is left open should not keep a computer busy. */
+const MOST_ROUNDS = 3;
+
+const BEGIN: Intro = { time: 0, playing: true, rounds: 0 };
+
+export function introOf({ task }: Pick<Route, "task">, { about }: Puzzle): Intro | null {
+  return task === null && about.id !== null ? BEGIN : null;
+}
+
+export function setRecorded(state: State, recorded: Recorded): State {
+  return { ...state, recorded };
+}
+
+/** The show gives way to the person. */
+export function endIntro(state: State): State {
+  return { ...state, intro: null, run: null };
+}
+
+export function toggleIntro(state: State): State {
+  const { intro } = state;
+  if (!intro) return state;
+  const playing = !intro.playing;
+  const isOver = playing && intro.rounds >= MOST_ROUNDS;
+  if (isOver) return { ...state, run: null, intro: BEGIN };
+  const run = state.run && { ...state.run, playing };
+  return { ...state, run, intro: { ...intro, playing } };
+}
+
+/** Time passes: for what runs, and for the show. */
+export function tick(state: State, milliseconds: number): State {
+  return advanceIntro(advance(state, milliseconds), milliseconds);
+}
+
+function advanceIntro(state: State, milliseconds: number): State {
+  const { intro, answers, run } = state;
+  if (!intro?.playing || !introShown(state) || !answers.futures || run?.playing) return state;
+  const time = intro.time + milliseconds;
+  const fallen = { ...state, intro: { ...intro, time: IMAGINE + PICK } };
+  if (state.device.stillness)
+    return run ? { ...state, intro: { ...intro, playing: false, rounds: MOST_ROUNDS } } : fall(fallen);
+  if (!run) return time < IMAGINE + PICK ? { ...state, intro: { ...intro, time } } : fall(fallen);
+  if (time < IMAGINE + PICK + RESULT) return { ...state, intro: { ...intro, time } };
+  const rounds = intro.rounds + 1;
+  if (rounds === MOST_ROUNDS) return { ...state, intro: { time, playing: false, rounds } };
+  return { ...state, run: null, intro: { ...BEGIN, rounds } };
+}
+
+function fall(state: State): State {
+  return play(state, [{ ball: state.answers.futures!.ball, of_model: true }], null, false);
+}
+
+/** Whether a next frame is needed for time to pass. */
+export function moves(state: State): boolean {
+  if (state.run?.playing) return true;
+  return isHome(state) && state.intro?.playing === true && introShown(state) && state.answers.futures !== null;
+}

@@ -1,0 +1,80 @@
+// The sheets over the page: sharing, a link for a lesson, about, and the question before all is forgotten.
+
+import { PANELS } from "./route.ts";
+import { attempts } from "../derived/duel.ts";
+import type { Hideable } from "./route.ts";
+import type { State } from "../state.ts";
+
+export type Sheet = "share" | "lesson" | "about" | "forget";
+
+/** The result as a picture. */
+export type Card =
+  | { readonly kind: "drawing" }
+  | { readonly kind: "ready"; readonly url: string; readonly file: File }
+  /** The browser gave none in time, or noise in place of it. */
+  | { readonly kind: "none"; readonly why: "missing" | "noise" };
+
+export interface Share {
+  /** Show where the ball of the solution was. */
+  readonly withBall: boolean;
+  readonly card: Card;
+  /** What became of the last copy, or of a file. */
+  readonly done: "copied" | "not_copied" | "not_shared" | null;
+}
+
+export const PRESETS = ["everything", "play", "predict"] as const;
+export type Preset = (typeof PRESETS)[number];
+
+export interface Lesson {
+  /** Null: chosen part by part. */
+  readonly preset: Preset | null;
+  readonly hide: readonly Hideable[];
+  /** As the person writes them. */
+  readonly tasks: string;
+  readonly presentation: boolean;
+  /** The address as a QR code, a data URL; null if it is too long for one. */
+  readonly code: string | null;
+}
+
+export const SHARE: Share = { withBall: false, card: { kind: "drawing" }, done: null };
+export const LESSON: Lesson = { preset: "everything", hide: [], tasks: "", presentation: false, code: null };
+
+export function openSheet(state: State, sheet: Sheet | null): State {
+  const { id } = state.puzzle.about;
+  const lesson = { ...LESSON, tasks: state.route.lesson.join(" ") || (id ?? "") };
+  return { ...state, sheet, share: SHARE, lesson };
+}
+
+export function setShare(state: State, change: Partial<Share>): State {
+  return { ...state, share: { ...state.share, ...change } };
+}
+
+export function setLesson(state: State, change: Partial<Lesson>): State {
+  return { ...state, lesson: { ...state.lesson, ...change } };
+}
+
+/** What a preset leaves out. */
+export function usePreset(state: State, preset: Preset): State {
+  return setLesson(state, { preset, hide: HIDDEN[preset] });
+}
+
+export function toggleHidden(state: State, part: Hideable): State {
+  const { hide } = state.lesson;
+  const others = hide.filter((one) => one !== part);
+  return setLesson(state, { preset: null, hide: others.length < hide.length ? others : [...hide, part] });
+}
+
+const panelsBut = (...kept: string[]): Hideable[] => PANELS.filter((panel) => !kept.includes(panel));
+
+const HIDDEN: Record<Preset, readonly Hideable[]> = {
+  everything: [],
+  play: ["puzzles", ...panelsBut("play")],
+  // The model's guess would tell what the class is to say.
+  predict: ["puzzles", "guess", ...panelsBut("play", "predict")],
+};
+
+/** Forgets all attempts, at a moment that other tabs compare theirs with (ms since 1970). */
+export function forget(state: State, now: number): State {
+  const kept = { ...state.kept, attempts: {}, forgotten: now };
+  return { ...state, kept, run: attempts(state).length > 0 ? null : state.run, sheet: null };
+}

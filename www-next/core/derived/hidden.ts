@@ -1,0 +1,36 @@
+// What is not shown: what a lesson leaves out, and in a challenge all that would give the answer away.
+
+import { PANELS } from "../change/route.ts";
+import { playerSolvedAt } from "./duel.ts";
+import type { Hideable, Panel } from "../change/route.ts";
+import type { State } from "../state.ts";
+
+export function isHidden(state: State, part: Hideable): boolean {
+  const { challenge, hide } = state.route;
+  if (hide.includes(part)) return true;
+  if (part === "guess" && isHidden(state, "model")) return true;
+  // Whoever is challenged plays alone, until they have solved it.
+  return challenge !== null && part !== "play" && part !== "puzzles" && playerSolvedAt(state) === null;
+}
+
+/** Is there a way to other puzzles? */
+export function canGoOn(state: State): boolean {
+  return !isHidden(state, "puzzles") || state.route.lesson.length > 1;
+}
+
+/** The panels that are shown; one stays. */
+export function shownPanels(state: State): Panel[] {
+  const shown = PANELS.filter((panel) => !isHidden(state, panel));
+  return shown.length > 0 ? shown : ["play"];
+}
+
+/** The panel that is open. */
+export function shownPanel(state: State): Panel {
+  const shown = shownPanels(state);
+  return shown.find((panel) => panel === state.route.panel) ?? shown[0]!;
+}
+
+/** Without the model's balls. */
+export function isAlone(state: State): boolean {
+  return state.kept.alone || state.route.hide.includes("model") || state.route.challenge !== null;
+}

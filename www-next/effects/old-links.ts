@@ -1,0 +1,56 @@
+// Links that people have from before: each part opens what it named, or its closest successor.
+
+import { HIDEABLE, PANELS } from "../core/change/route.ts";
+
+type Part = readonly [part: string, text: string];
+
+const has = (names: readonly string[], name: string) => names.includes(name);
+
+/** Panels by their former names. */
+const PANEL_NAMES = new Map([
+  ["bend", "make"],
+  ["compare", "play"],
+  ["map", "imagine"],
+]);
+const MAP_NAMES = new Map([["judge", "success"]]);
+/** What a lesson hid, and what hides it now; the rest is no part of the page any more. */
+const HIDDEN_NAMES = new Map([...PANEL_NAMES, ["forecast", "guess"], ["compare", "model"]]);
+/** Pages that have an address of their own now. */
+export const PAGES = new Map([
+  ["results", "results.html"],
+  ["learns", "learns.html"],
+]);
+
+/** By part, what a text is now; a part that is not named here is as it was. */
+const SUCCESSORS: Record<string, (text: string) => readonly Part[]> = {
+  panel: (text) => {
+    const name = PANEL_NAMES.get(text) ?? text;
+    return [["panel", name === "imagine" && !has(PANELS, name) ? "play" : name]];
+  },
+  layers: (text) => [["layers", listOf(text, MAP_NAMES).join()]],
+  hide: (text) => [["hide", [...new Set(listOf(text, HIDDEN_NAMES))].filter((name) => has(HIDEABLE, name)).join()]],
+  // "stage" was the presentation, then a step of the walkthrough.
+  view: (text) => (PAGES.has(text) ? [] : [["view", text === "stage" ? "presentation" : text]]),
+  stage: (text) => [["step", text]],
+  forecast: (text) => (text === "off" ? [["hide", "guess"]] : []),
+  model: () => [],
+  opacity: () => [],
+  proposal: () => [],
+};
+
+/** Brings the parts of a link up to date. Two lists of the same part become one. */
+export function upToDate(parts: Iterable<Part>): Part[] {
+  const found = new Map<string, string>();
+  for (const [part, text] of parts) {
+    const successors = Object.hasOwn(SUCCESSORS, part) ? SUCCESSORS[part]!(text) : [[part, text] as const];
+    for (const [name, value] of successors) {
+      const before = name === "hide" ? found.get(name) : undefined;
+      found.set(name, before ? `${before},${value}` : value);
+    }
+  }
+  return [...found];
+}
+
+function listOf(text: string, names: ReadonlyMap<string, string>): string[] {
+  return text.split(",").flatMap((name) => (name.trim() ? [names.get(name.trim()) ?? name.trim()] : []));
+}

@@ -1,0 +1,108 @@
+// What a person sends on: a link, words and a picture. The link comes first; nothing waits for the picture.
+
+import { setLesson, setShare } from "../core/change/sheet.ts";
+import { PANELS, START } from "../core/change/route.ts";
+import { result, taskOfDay } from "../core/derived/home.ts";
+import { isDark } from "../core/derived/looks.ts";
+import { taskOf } from "../core/derived/next.ts";
+import { benchmark } from "../simulator.ts";
+import { writeAddress } from "./address.ts";
+import { cardOf } from "./card.ts";
+import type { Link } from "../core/change/route.ts";
+import type { State } from "../core/state.ts";
+import type { Effect, Store } from "../core/store.ts";
+
+export const cardEffect: Effect<State> = {
+  needs: (state) =>
+    state.sheet === "share"
+      ? [state.puzzle, state.kept.attempts, state.answers.turn, state.text, isDark(state), state.share.withBall]
+      : null,
+  async run(store, signal) {
+    const card = await cardOf(store.state);
+    if (!signal.aborted) store.change(setShare, { card });
+    signal.addEventListener("abort", () => card.kind === "ready" && URL.revokeObjectURL(card.url));
+  },
+};
+
+/** The puzzle as a challenge: the link gives away neither the ball nor what the model thinks. */
+export function shareAddress(state: State): string {
+  const { solvedAt } = result(state);
+  const link = { ...ownLink(state), challenge: solvedAt };
+  return new URL(writeAddress(link), location.href).href;
+}
+
+export function shareText(state: State): string {
+  const { text, puzzle, device } = state;
+  const found = result(state);
+  const isDaily = puzzle.about.id === taskOfDay(benchmark(), device.day);
+  return text.share.message(text.puzzle.name(puzzle.about), found, isDaily ? device.day : null);
+}
+
+/** The tasks of a lesson as a person has written them; null if one of them is none. */
+export function lessonTasks(state: State): string[] | null {
+  const written = state.lesson.tasks.split(/[\s,;]+/).filter(Boolean);
+  const tasks = written.map(taskOf);
+  const known = new Set(benchmark().tasks);
+  return tasks.every((task) => task !== null && known.has(task)) ? (tasks as string[]) : null;
+}
+
+/** The address of the lesson; null if its puzzles cannot be read. */
+export function lessonAddress(state: State): string | null {
+  const tasks = lessonTasks(state);
+  if (!tasks) return null;
+  const { hide, presentation } = state.lesson;
+  const named = tasks.length > 0 ? { ...START, task: tasks[0]! } : ownLink(state);
+  const panel = PANELS.find((one) => String(one) === state.lesson.preset) ?? START.panel;
+  const view = presentation ? "presentation" : null;
+  const link: Link = { ...named, panel, view, hide, lesson: tasks.length > 1 ? tasks : [] };
+  return new URL(writeAddress(link), location.href).href;
+}
+
+/** Names the open puzzle, without anything that is seen of it. */
+function ownLink({ route, puzzle }: State): Link {
+  const { panel, layers, view, challenge, lesson, hide, ball } = START;
+  return { ...route, task: puzzle.about.id, panel, layers, view, challenge, lesson, hide, ball };
+}
+
+export const qrEffect: Effect<State> = {
+  needs: (state) => (state.sheet === "lesson" ? [lessonAddress(state)] : null),
+  async run(store, signal) {
+    const address = lessonAddress(store.state);
+    // A module of its own, because few need it.
+    const { generate } = await import("lean-qr");
+    let code: string | null = null;
+    try {
+      code = address && generate(address).toDataURL({ on: [0, 0, 0], off: [255, 255, 255], scale: 4 });
+    } catch {
+      // Too long: the address works without it.
+    }
+    if (!signal.aborted) store.change(setLesson, { code });
+  },
+};
+
+export async function copy(store: Store<State>, text: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text);
+    store.change(setShare, { done: "copied" });
+  } catch {
+    store.change(setShare, { done: "not_copied" });
+  }
+}
+
+/** What the system's own sheet takes. */
+function shared({ state }: Store<State>): ShareData {
+  const { card } = state.share;
+  const words = { text: shareText(state), url: shareAddress(state) };
+  const withPicture = card.kind === "ready" ? { ...words, files: [card.file] } : words;
+  return navigator.canShare?.(withPicture) ? withPicture : words;
+}
+
+export const canShare = (): boolean => typeof navigator.share === "function";
+
+export async function share(store: Store<State>): Promise<void> {
+  try {
+    await navigator.share(shared(store));
+  } catch (error) {
+    if ((error as Error).name !== "AbortError") store.change(setShare, { done: "not_shared" });
+  }
+}
