@@ -94,6 +94,6 @@ $(PACKAGE): $(PACKAGED) $(BUILT_AS)
 	scripts/build-wasm
 
 clean:
-	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc package page page-next pictures python-env \
+	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc next package page page-next pictures python-env \
 		python-tools release stages tests-www tmp tools wasm32-unknown-unknown wasm-compiled wasm-package wheels)
 	rm -rf dist dist.* www/pkg www-next/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules

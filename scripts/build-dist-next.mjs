@@ -104,9 +104,12 @@ function addressed(path, content, places) {
   }
   if (!path.endsWith(".js")) return content;
   let text = content.toString();
-  // Relative to VERSION/assets.
   for (const [from, to] of places)
-    if (WEIGHTS.test(from)) text = text.replaceAll(`"${from.slice("assets/".length)}"`, `"../../${to}"`);
+    if (WEIGHTS.test(from))
+      text = text
+        // Relative to VERSION/assets, as names of files are, or to the script.
+        .replaceAll(`"${from.slice("assets/".length)}"`, `"../../${to}"`)
+        .replaceAll(`"./${from}"`, `"../${to}"`);
   return Buffer.from(text);
 }
 

@@ -19,6 +19,9 @@ const COPIES = [
   ["www-next/first-look.js", "first-look.js"],
   ["www-next/manifest.webmanifest", "manifest.webmanifest"],
   ["www-next/icons", "icons"],
+  ["www-next/exhibits/exhibits.css", "exhibits.css"],
+  ["www-next/exhibits/learns.html", "learns.html"],
+  ["www-next/exhibits/results.html", "results.html"],
   ["www-next/pkg/page/pathlight_bg.wasm", "pkg/page/pathlight_bg.wasm"],
   ["www-next/pkg/worker/pathlight_bg.wasm", "pkg/worker/pathlight_bg.wasm"],
   ["www-next/pkg/worker/licences.txt", "licences.txt"],
@@ -26,7 +29,12 @@ const COPIES = [
   ["assets", "assets"],
 ];
 /** Bundled one by one: no page loads two of them, and parts in common would be a further file to wait for. */
-const ENTRIES = ["main.ts", "element.ts", "model/worker.ts"];
+const ENTRIES = [
+  "main.ts",
+  "element.ts",
+  "model/worker.ts",
+  ...["learns.ts", "learns-worker.ts", "results.ts"].map((name) => `exhibits/${name}`),
+];
 const RELOAD = 'new EventSource("/esbuild").addEventListener("change", () => location.reload());';
 
 /**
@@ -43,6 +51,8 @@ export function bundling() {
     nodePaths: [join(ROOT, "scripts", "node_modules")],
     tsconfigRaw: {},
     loader: { ".css": "text" },
+    // The exhibits import the package by its name, as other pages do.
+    alias: { pathlight: join(SOURCES, "api/index.ts") },
     logLevel: "warning",
   };
 }
@@ -80,7 +90,7 @@ function entryOptions(path, isWatching) {
 }
 
 async function copyAgain() {
-  for (const [from, to] of COPIES.slice(0, 3)) await cp(join(ROOT, from), join(OUT, to));
+  for (const [from, to] of COPIES.slice(0, 9)) await cp(join(ROOT, from), join(OUT, to), { recursive: true });
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -16,6 +16,7 @@ import { toolOf } from "./stage/tools.ts";
 import { loadText } from "./text/text.ts";
 import { description } from "./view/news.ts";
 import { page } from "./view/page.ts";
+import models from "../assets/model.json";
 import type { Kept, Language } from "./core/change/kept.ts";
 import type { Device } from "./core/change/settings.ts";
 import type { Link } from "./core/change/route.ts";
@@ -52,7 +53,7 @@ export function filesAt(base: string): Files {
     simulator: at("pkg/page/pathlight_bg.wasm"),
     wasm: at("pkg/worker/pathlight_bg.wasm"),
     worker: at("worker.js"),
-    assets: at("assets/"),
+    weights: Object.fromEntries(models.models.map(({ file }) => [file, at(`assets/${file}`)])),
   };
 }
 

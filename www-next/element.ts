@@ -3,28 +3,115 @@
 //     <script type="module" src="…/element.js"></script>
 //     <pathlight-puzzle task="00007:008" layers="base" remember></pathlight-puzzle>
 //
-// Its attributes are the parts of a link, follow the person, and can be changed at any time; besides, `theme` is
-// "light" or "dark", and `remember` keeps attempts and choices in this browser (read once, when the puzzle is opened).
+// Its attributes are the parts of a link, follow the person, and can be changed at any time; they are properties too.
+// Besides, `theme` is "light" or "dark", `fill` takes the height of its container, and `remember` keeps attempts and
+// choices in this browser (read once, when the puzzle is opened).
 
 import { follow, puzzleOf } from "./actions.ts";
 import { filesAt, languageOf, mount } from "./app.ts";
 import { NOTHING_KEPT, choose } from "./core/change/kept.ts";
+import { attempts, toldAttempts } from "./core/derived/duel.ts";
 import { theme } from "./core/derived/looks.ts";
 import { nextTask } from "./core/derived/next.ts";
 import { LINK_PARTS, linkOf, readParts, writePart } from "./effects/address.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
 import css from "./style.css";
+import type { Files } from "./app.ts";
 import type { Theme } from "./core/change/kept.ts";
+import type { Link } from "./core/change/route.ts";
 import type { State } from "./core/state.ts";
 import type { Effect } from "./core/store.ts";
+import type { Ball } from "./pkg/page/pathlight.js";
 import type { App } from "./view/view.ts";
 
-export class PathlightPuzzle extends HTMLElement {
-  static observedAttributes = [...LINK_PARTS, "theme"];
+/** The events of the element; all bubble. */
+export interface PathlightPuzzleEventMap extends HTMLElementEventMap {
+  /**
+   * An attempt of the person's has ended, or was left. `task` is the digest of the scene if that is no task; `number`
+   * counts from 1.
+   */
+  attempt: CustomEvent<{ task: string; number: number; ball: Ball; solved: boolean }>;
+  /** The model comes or goes; its name, if it is there. */
+  modelchange: CustomEvent<{ name: string | null; status: "off" | "loading" | "ready" | "failed" }>;
+  /** The person has changed what is shown: the attributes as they are now, null for those that are not set. */
+  statechange: CustomEvent<Record<string, string | null>>;
+}
 
-  /** Where worker, wasm and weights lie; by default beside this script. Set it before the element is connected. */
+/** Listeners know the events. */
+export interface PathlightPuzzle {
+  addEventListener<Type extends keyof PathlightPuzzleEventMap>(
+    type: Type,
+    listener: (this: PathlightPuzzle, event: PathlightPuzzleEventMap[Type]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof PathlightPuzzleEventMap>(
+    type: Type,
+    listener: (this: PathlightPuzzle, event: PathlightPuzzleEventMap[Type]) => unknown,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pathlight-puzzle": PathlightPuzzle;
+  }
+}
+
+const PROPERTIES = [...LINK_PARTS, "theme"] as const;
+
+export class PathlightPuzzle extends HTMLElement {
+  static observedAttributes: readonly string[] = PROPERTIES;
+
+  /**
+   * The address of the folder that holds worker.js, pkg/ and assets/; by default that of this script. Set it before an
+   * element is connected where the script has no address of its own, as in a blob.
+   */
   static base: string | null = null;
+
+  /** The puzzle, "00007:008"; null for one that is new to person and model. */
+  declare task: string | null;
+  /** A custom scene in place of a task, as its link holds it; null for none. */
+  declare scene: string | null;
+  /** The panel beside the scene; null for "play". */
+  declare panel: string | null;
+  /** The maps over the scene, with commas between them; null for none. */
+  declare layers: string | null;
+  /** "presentation" for the scene and one sentence in large type; null for the whole puzzle. */
+  declare view: string | null;
+  /** The number of attempts to beat; null for none. */
+  declare challenge: string | null;
+  /** The puzzles of a lesson in order, with commas between them; null for none. */
+  declare lesson: string | null;
+  /** The parts that are left out, with commas between them; null for none. */
+  declare hide: string | null;
+  /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
+  declare ball: string | null;
+  /** "light" or "dark"; null to follow the system. */
+  declare theme: string | null;
+
+  static {
+    for (const name of PROPERTIES) {
+      Object.defineProperty(this.prototype, name, {
+        get(this: PathlightPuzzle) {
+          return this.getAttribute(name);
+        },
+        set(this: PathlightPuzzle, value: unknown) {
+          setAttribute(this, name, value === null || value === undefined ? null : String(value));
+        },
+      });
+    }
+  }
 
   #root = this.attachShadow({ mode: "open" });
   #app: App | null = null;
@@ -34,6 +121,13 @@ export class PathlightPuzzle extends HTMLElement {
 
   connectedCallback(): void {
     if (this.#leaving) return;
+    // What was set before the element was defined hides the accessors.
+    for (const name of PROPERTIES) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = this[name];
+      Reflect.deleteProperty(this, name);
+      this[name] = value;
+    }
     this.#leaving = new AbortController();
     this.#start(this.#leaving.signal).catch((error) => {
       reportError(error);
@@ -60,25 +154,35 @@ export class PathlightPuzzle extends HTMLElement {
     const { task, scene } = store.state.route;
     const isElsewhere = (link.task !== null && link.task !== task) || (link.scene !== null && link.scene !== scene);
     const named = (link.task ?? link.scene) ? link : { ...link, task, scene };
-    follow(store, isElsewhere && name !== "ball" ? { ...named, ball: null } : named);
+    if (!isElsewhere || name === "ball") return follow(store, named);
+    // What belongs to one puzzle does not go on to the next.
+    for (const part of ["ball", name === "task" ? "scene" : "task"] as const)
+      if (part !== name) this.#write(part, null);
+    follow(store, { ...named, ball: null });
+  }
+
+  /** Puts the focus on the scene. */
+  override focus(options?: FocusOptions): void {
+    this.#app?.canvas.focus(options);
   }
 
   async #start(signal: AbortSignal): Promise<void> {
-    const files = filesAt(PathlightPuzzle.base ?? import.meta.url);
+    const files = PathlightPuzzle.base === null ? filesHere() : filesAt(PathlightPuzzle.base);
     await loadSimulator(files.simulator);
     if (signal.aborted) return;
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(css);
     this.#root.adoptedStyleSheets = [sheet];
     const { link } = readParts(this.#parts());
-    const remembers = this.hasAttribute("remember");
+    const remembers = isOn(this, "remember");
     const kept = { ...(remembers ? readKept() : NOTHING_KEPT), theme: themeOf(this.getAttribute("theme")) };
     const shared = link.scene === null ? null : await puzzleOf(link.scene);
     if (signal.aborted) return;
     if (shared && "problem" in shared) throw new Error("The attribute scene holds no puzzle that may be played.");
     const puzzle = shared ?? openPuzzle(link.task ?? nextTask(benchmark(), null, (task) => task in kept.attempts));
     const language = languageOf(this.closest("[lang]")?.getAttribute("lang") ?? navigator.language);
-    const effects = [this.#attributes(), ...(remembers ? [keepingEffect()] : [])];
+    const told = [this.#attributes(), this.#attempts(), this.#model()];
+    const effects = [...told, ...(remembers ? [keepingEffect()] : [])];
     const given = { root: this.#root, keys: this.#root, link, puzzle, kept, files, embedded: true, language, effects };
     const app = await mount(given, signal);
     if (signal.aborted) return;
@@ -94,26 +198,92 @@ export class PathlightPuzzle extends HTMLElement {
     }
   }
 
-  /** Keeps the attributes as the state is. */
+  #write(part: keyof Link, text: string | null): void {
+    this.#isFollowing = true;
+    setAttribute(this, part, text);
+    this.#isFollowing = false;
+  }
+
+  #tell<Type extends "attempt" | "modelchange" | "statechange">(
+    type: Type,
+    detail: PathlightPuzzleEventMap[Type]["detail"],
+  ): void {
+    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
+  }
+
+  /** Keeps the attributes as the state is. What they said before was no change of the person's. */
   #attributes(): Effect<State> {
+    let begun = false;
     return {
       needs: (state) => [theme(state), ...LINK_PARTS.map((part) => writePart(linkOf(state), part))],
       run: ({ state }) => {
-        this.#isFollowing = true;
-        for (const part of LINK_PARTS) {
-          const text = writePart(linkOf(state), part);
-          if (text === null) this.removeAttribute(part);
-          else if (text !== this.getAttribute(part)) this.setAttribute(part, text);
-        }
         this.dataset.theme = theme(state);
-        this.#isFollowing = false;
+        const texts = LINK_PARTS.map((part) => [part, writePart(linkOf(state), part)] as const);
+        const changed = texts.filter(([part, text]) => text !== this.getAttribute(part));
+        for (const [part, text] of changed) this.#write(part, text);
+        if (begun && changed.length > 0) this.#tell("statechange", Object.fromEntries(texts));
+        begun = true;
       },
     };
   }
+
+  #attempts(): Effect<State> {
+    let before: State | null = null;
+    /** The number of the attempt whose outcome has not been told. */
+    let running: number | null = null;
+    return {
+      needs: (state) => [state.puzzle, attempts(state).length, toldAttempts(state).length],
+      run: ({ state }) => {
+        const isElsewhere = before?.puzzle !== state.puzzle;
+        const there = isElsewhere ? before : state;
+        // Attempts that come from other tabs are not the round that runs.
+        if (before && !isElsewhere && attempts(state).length > attempts(before).length)
+          running = state.run?.round === attempts(state).length ? state.run.round : running;
+        if (there && running !== null && (isElsewhere || running <= toldAttempts(state).length)) {
+          const { ball, status } = attempts(there)[running - 1]!;
+          const solved = status === "solved";
+          this.#tell("attempt", { task: there.puzzle.key, number: running, ball: ball!, solved });
+          running = null;
+        }
+        before = state;
+      },
+    };
+  }
+
+  #model(): Effect<State> {
+    return {
+      needs: ({ model }) => [model.kind],
+      run: ({ state: { model } }) =>
+        this.#tell("modelchange", { name: model.kind === "ready" ? model.name : null, status: model.kind }),
+    };
+  }
+}
+
+/** Bundlers find a file only by its literal address, which is relative to the bundle. */
+function filesHere(): Files {
+  return {
+    simulator: new URL("./pkg/page/pathlight_bg.wasm", import.meta.url).href,
+    wasm: new URL("./pkg/worker/pathlight_bg.wasm", import.meta.url).href,
+    worker: new URL("./worker.js", import.meta.url).href,
+    weights: { "within-0.safetensors": new URL("./assets/within-0.safetensors", import.meta.url).href },
+  };
+}
+
+function setAttribute(element: Element, name: string, value: string | null): void {
+  if (value === null) element.removeAttribute(name);
+  else if (value !== element.getAttribute(name)) element.setAttribute(name, value);
+}
+
+/** React 18 writes `remember={false}` as "false". */
+function isOn(element: Element, name: string): boolean {
+  return element.hasAttribute(name) && element.getAttribute(name) !== "false";
 }
 
 function themeOf(attribute: string | null): Theme | null {
   return attribute === "light" || attribute === "dark" ? attribute : null;
 }
+
+// Each part of a link is a property.
+({}) as PathlightPuzzle satisfies Record<keyof Link, string | null>;
 
 if (!customElements.get("pathlight-puzzle")) customElements.define("pathlight-puzzle", PathlightPuzzle);

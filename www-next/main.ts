@@ -29,7 +29,7 @@ async function run(root: HTMLElement): Promise<void> {
   const named = custom ?? (link.task === null ? null : existing(link.task));
   const puzzle = named ?? openPuzzle(homeTask(kept));
   const given = { root, keys: document, link, puzzle, kept, files, language };
-  const recorded = recordedEffect(`${files.assets}home.json`);
+  const recorded = recordedEffect(new URL("assets/home.json", import.meta.url).href);
   const effects = [addressEffect, documentEffect, keepingEffect(), recorded, cardEffect, qrEffect];
   const { store } = await mount({ ...given, embedded: false, effects }, forever);
   listenToOtherTabs(store, forever);

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { EASY, button, described, scene, startPlayer } from "./player.mjs";
+import { EASY, button, described, known, modelIsThere, scene, startPlayer } from "./player.mjs";
 
 let session;
 before(async () => (session = await startPlayer()));
@@ -80,4 +80,62 @@ test("several puzzles share one worker, which ends with the last; one that is mo
   await ended;
   await page.evaluate((html) => document.body.insertAdjacentHTML("afterbegin", html), puzzle);
   await button(page, "Drop it").waitFor();
+});
+
+test("it tells its page what the person does, and not what the page itself has asked for", async () => {
+  const { missing } = await known();
+  const page = await openArticle(`<pathlight-puzzle task="${EASY}" ball="${missing[0]}"></pathlight-puzzle>`);
+  const heard = (type) => page.evaluate((type) => /** @type {any} */ (globalThis).heard[type], type);
+  const until = (type, count) =>
+    page.waitForFunction(
+      ([type, count]) => /** @type {any} */ (globalThis).heard[type].length === count,
+      [type, count],
+    );
+  await page.evaluate(() => {
+    const heard = { attempt: [], statechange: [], modelchange: [] };
+    Object.assign(globalThis, { heard });
+    for (const type of Object.keys(heard))
+      document.addEventListener(type, (event) => heard[type].push(/** @type {CustomEvent} */ (event).detail));
+  });
+  await modelIsThere(page);
+  assert.deepEqual((await heard("modelchange")).at(-1), { name: "within-0", status: "ready" });
+  // An attempt that is left before its end has ended too.
+  await button(page, "Drop it").click();
+  await button(page, "Pause").waitFor();
+  assert.deepEqual(await heard("attempt"), []);
+  await scene(page).focus();
+  await page.keyboard.press("r");
+  await until("attempt", 1);
+  assert.deepEqual(await heard("attempt"), [{ task: EASY, number: 1, ball: missing[0], solved: false }]);
+  assert.deepEqual(await heard("statechange"), []);
+  await page.keyboard.press("ArrowUp");
+  await until("statechange", 1);
+  const [{ task, ball, layers }] = await heard("statechange");
+  const [x, y, r] = missing[0];
+  assert.deepEqual([task, ball, layers], [EASY, `${x},${y + 1},${r}`, null]);
+  const element = page.locator("pathlight-puzzle");
+  await element.evaluate((one) => Object.assign(one, { ball: "60,120,12" }));
+  await described(page, /x 60, y 120, with radius 12/);
+  await element.evaluate((one) => one.setAttribute("task", "00007:008"));
+  await described(page, /Click or tap the scene/);
+  await until("statechange", 1);
+  await element.evaluate((one, ball) => Object.assign(one, { task: "00000:058", ball }), missing[1].join());
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await described(page, new RegExp(`x ${missing[1][0]}, y ${missing[1][1]}`));
+  await button(page, "Drop it").click();
+  await until("attempt", 2);
+  assert.equal((await heard("attempt"))[1].number, 2);
+  await until("statechange", 1);
+});
+
+test("with fill it is as high as its container, and its scene lies within", async () => {
+  for (const width of [300, 1000]) {
+    const page = await openArticle(
+      `<div style="width: ${width}px; height: 420px"><pathlight-puzzle task="${EASY}" fill></pathlight-puzzle></div>`,
+    );
+    const box = await page.locator("pathlight-puzzle").boundingBox();
+    const inside = await scene(page).boundingBox();
+    assert.equal(box.height, 420);
+    assert.ok(inside.height > 150 && inside.y + inside.height <= box.y + box.height, JSON.stringify({ box, inside }));
+  }
 });

@@ -226,7 +226,7 @@ test("a server that answers with a page for every address is told from a broken 
   await page.getByText("were not found on this server").waitFor();
 });
 
-test("once it was open, the page works without a network, and offers the next version", async () => {
+test("once it was open, page and exhibits work without a network, and the next version is offered", async () => {
   const out = await mkdtemp(join(tmpdir(), "pathlight-dist-"));
   await buildDist({ out, quality: 0 });
   const server = await serveStatic(out, "/a/");
@@ -240,6 +240,13 @@ test("once it was open, the page works without a network, and offers the next ve
     await page.goto(`${offline.origin}/#task=${EASY}`);
     await page.reload();
     await modelIsThere(page);
+    await button(page, "Drop it").waitFor();
+    await page.goto(`${offline.origin}/results.html`);
+    await page.locator(".tasks a").first().waitFor();
+    await page.goto(`${offline.origin}/learns.html`);
+    await button(page, "Let it play 20").click();
+    await page.locator("figcaption", { hasText: "Ball 1" }).first().waitFor();
+    await page.goto(`${offline.origin}/#task=${EASY}`);
     await button(page, "Drop it").waitFor();
     await page.context().setOffline(false);
     await buildDist({

@@ -6,10 +6,10 @@ import { after, before, test } from "node:test";
 import { startOn } from "../browser/harness.mjs";
 import { serveStatic } from "../browser/static-server.mjs";
 import { drawn, open, playBoth } from "./playing.mjs";
-import { example, makeProject, readmeCode } from "./project.mjs";
+import { entryOf, example, makeProject, readmeCode } from "./project.mjs";
 
 const project = makeProject();
-const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
+const { load } = await import(entryOf(project));
 
 let session;
 before(async () => (session = await startOn(await serveStatic(project))));
@@ -28,5 +28,5 @@ test("a plain page draws what the nets imagine", async () => {
 test("the README's two lines of HTML show a puzzle", async () => {
   writeFileSync(join(project, "lines.html"), readmeCode(project, "html"));
   const page = await open(session, `${session.origin}/lines.html`);
-  await page.locator("pathlight-puzzle #imagine").waitFor();
+  await page.locator("pathlight-puzzle").getByText("If you do nothing").filter({ visible: true }).first().waitFor();
 });

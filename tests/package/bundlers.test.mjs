@@ -3,20 +3,22 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { startOn } from "../browser/harness.mjs";
 import { serveStatic } from "../browser/static-server.mjs";
 import { drawn, open, playBoth } from "./playing.mjs";
-import { example, makeProject, readmeCode, root } from "./project.mjs";
+import { entryOf, example, makeProject, readmeCode, root } from "./project.mjs";
 
 const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'";
 const tools = join(root, "tests/package/node_modules");
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
-const { load } = await import(join(installed, "api/index.js"));
+const { load } = await import(entryOf(project));
 const pathlight = await load();
+/** Is it the package of www-next? */
+const isNext = existsSync(join(installed, "worker.js"));
 
 /** The page, with a script at an address. */
 const pageOf = (script) => `<!doctype html>
@@ -107,6 +109,9 @@ test("Parcel builds it", async () => {
   await play("parcel/index.html");
 });
 
+/** Where the README puts such a bundle, below the page. */
+const [, below] = /--outdir=dist\/?(\w*)/.exec(readFileSync(join(installed, "README.md"), "utf8")) ?? [];
+
 /** Puts the files of the package where bundles look for them that leave addresses as they are. */
 function copyFiles(folder) {
   const command = readmeCode(project, "sh");
@@ -115,18 +120,48 @@ function copyFiles(folder) {
 
 test("esbuild builds it, with the files of the package beside it", async () => {
   const { build } = await import("esbuild");
-  const out = folderOf("esbuild", "./js/main.js");
-  await build({ entryPoints: [join(project, "main.js")], bundle: true, format: "esm", outdir: join(out, "js") });
+  const out = folderOf("esbuild", `./${join(below, "main.js")}`);
+  await build({ entryPoints: [join(project, "main.js")], bundle: true, format: "esm", outdir: join(out, below) });
   copyFiles("esbuild");
   await play("esbuild/index.html");
 });
 
 test("Rollup builds it, with the files of the package beside it", async () => {
   const [{ rollup }, { nodeResolve }] = await Promise.all([import("rollup"), import("@rollup/plugin-node-resolve")]);
-  const out = folderOf("rollup", "./js/main.js");
+  const out = folderOf("rollup", `./${join(below, "main.js")}`);
   const bundle = await rollup({ input: join(project, "main.js"), plugins: [nodeResolve({ browser: true })] });
-  await bundle.write({ dir: join(out, "js"), format: "es" });
+  await bundle.write({ dir: join(out, below), format: "es" });
   await bundle.close();
   copyFiles("rollup");
   await play("rollup/index.html");
+});
+
+test("a bundle that is imported from a blob finds its files by a base", { skip: !isNext }, async () => {
+  const { build } = await import("esbuild");
+  const out = folderOf("blob", "");
+  writeFileSync(
+    join(project, "blob.js"),
+    `import { load } from "pathlight";
+import { PathlightPuzzle } from "pathlight/element";
+export async function start(base) {
+  const why = await load().catch(({ code, message }) => code + ": " + message);
+  PathlightPuzzle.base = base;
+  document.body.append(Object.assign(document.createElement("pathlight-puzzle"), { task: "00002:007" }));
+  const pathlight = await load({ base });
+  return [why, pathlight.propose("00002:007", { count: 1 }).length];
+}`,
+  );
+  await build({ entryPoints: [join(project, "blob.js")], bundle: true, format: "esm", outdir: out });
+  copyFiles("blob");
+  writeFileSync(join(out, "index.html"), '<!doctype html><html lang="en"><title>Blob</title><body></body></html>');
+  const page = await open(session, `${session.origin}/blob/index.html`);
+  const [why, count] = await page.evaluate(async () => {
+    const script = await (await fetch("blob.js")).blob();
+    const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+    return (await import(address)).start(document.baseURI);
+  });
+  assert.match(why, /^no_wasm: .*say where, by load\(\{ base: /);
+  assert.equal(count, 1);
+  await page.getByText("If you do nothing").waitFor();
+  await page.close();
 });

@@ -9,10 +9,10 @@ import { createInterface } from "node:readline";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { makeProject, root } from "./project.mjs";
+import { entryOf, makeProject, root } from "./project.mjs";
 
 const project = makeProject();
-const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
+const { load } = await import(entryOf(project));
 const pathlight = await load();
 const binary = join(root, "target/release/pathlight");
 /** A few puzzles of two kinds that it has never seen, in turn. */

@@ -7,11 +7,12 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } f
 import { createServer } from "node:http";
 import { join } from "node:path";
 import { test } from "node:test";
-import { example, makeProject, readmeCode, root } from "./project.mjs";
+import { entryOf, example, layoutOf, makeProject, readmeCode, root } from "./project.mjs";
 
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
-const { load } = await import(join(installed, "api/index.js"));
+const layout = layoutOf(installed);
+const { load } = await import(entryOf(project));
 const TASK = "00007:008";
 
 test("it brings no other packages and one model", () => {
@@ -47,10 +48,11 @@ test("the example prints the auccess that was measured natively", async (context
 
 test("100 tasks in a row leave nothing behind in the memory", async () => {
   const pathlight = await load();
-  const wasm = await import(join(installed, "pkg/pathlight.js"));
+  const wasm = await import(join(installed, layout.wasm, "pathlight.js"));
   const { memory } = await wasm.default();
   // A handle that is not freed at once stays until a collector finds it, if one does.
-  const freed = { Game: 0, Model: 0, SolveMap: 0, Turn: 0 };
+  const opener = layout.wasm === "pkg" ? "Game" : "OpenPuzzle";
+  const freed = { [opener]: 0, Model: 0, SolveMap: 0, Turn: 0 };
   for (const [name, { prototype }] of Object.keys(freed).map((name) => [name, wasm[name]])) {
     const { free } = prototype;
     prototype.free = function () {
@@ -94,7 +96,7 @@ test("100 tasks in a row leave nothing behind in the memory", async () => {
       `${act.name}: ${before} bytes became ${memory.buffer.byteLength}`,
     );
   }
-  assert.deepEqual(freed, { Game: 100, Model: 6, SolveMap: 100, Turn: 100 });
+  assert.deepEqual(freed, { [opener]: 100, Model: 6, SolveMap: 100, Turn: 100 });
 });
 
 test("a scene, its raster and a rollout fit together", async () => {
@@ -241,7 +243,7 @@ test("a transfer that breaks off is refused with a code and the address", async 
   context.after(() => server.close());
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
   const cut = (path, type) => `http://127.0.0.1:${port}/${path}?type=${type}`;
-  const wasm = "pkg/pathlight_bg.wasm";
+  const wasm = `${layout.wasm}/pathlight_bg.wasm`;
   for (const [code, options] of /** @type {const} */ ([
     ["no_wasm", { wasm: cut(wasm, "application/wasm"), weights: null }],
     ["no_wasm", { wasm: cut(wasm, "application/octet-stream"), weights: null }],
@@ -260,10 +262,10 @@ test("missing weights are named by their address", async () => {
   const copy = join(project, "copy");
   cpSync(installed, copy, { recursive: true });
   rmSync(join(copy, "assets/within-0.safetensors"));
-  const { load } = await import(join(copy, "api/index.js"));
+  const { load } = await import(layoutOf(copy).entry);
   await assert.rejects(load(), {
     code: "no_weights",
-    message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\.$/,
+    message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\./,
   });
 });
 
@@ -283,19 +285,24 @@ test("what is wrong with the page's list of the models is said", async () => {
 });
 
 test("a page in place of a file, as servers of single-page apps send it, is called so", async (context) => {
-  const server = createServer((_, response) =>
-    response.writeHead(200, { "content-type": "text/html; charset=utf-8" }).end("<!doctype html>"),
+  const server = createServer(({ url }, response) =>
+    response
+      .writeHead(200, { "content-type": url === "/page" ? "text/html" : "application/wasm" })
+      .end("<!doctype html>"),
   );
   server.listen(0, "127.0.0.1");
   await once(server, "listening");
   context.after(() => server.close());
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-  const address = `http://127.0.0.1:${port}/file`;
-  await assert.rejects(load({ wasm: address, weights: null }), {
-    code: "no_wasm",
-    message: /the server answered with a page \(text\/html\) for .*\/file\. Build or install Pathlight again\./,
-  });
-  await assert.rejects(load({ weights: address }), { code: "no_weights", message: /answered with a page/ });
+  // Today's package goes by the type that the server says.
+  for (const file of layout.wasm === "pkg" ? ["page"] : ["page", "file"]) {
+    const address = `http://127.0.0.1:${port}/${file}`;
+    await assert.rejects(load({ wasm: address, weights: null }), {
+      code: "no_wasm",
+      message: /the server answered with a page.* for .*\. Build or install Pathlight again\./,
+    });
+    await assert.rejects(load({ weights: address }), { code: "no_weights", message: /answered with a page/ });
+  }
 });
 
 test("a map of outcomes can be read while it grows, and afterwards", async () => {

@@ -38,7 +38,8 @@ export async function solve(puzzle, pathlight) {
   assert.ok(task);
   const { ball, ending } = [...pathlight.turn(task)].at(-1) ?? {};
   assert.ok(ball && ending?.solved, "the model solves it");
-  await puzzle.locator("#run").waitFor();
+  const drop = puzzle.getByRole("button", { name: "Drop it" });
+  await drop.waitFor();
   const played = puzzle.evaluate(
     (element) =>
       new Promise((resolve) =>
@@ -46,14 +47,14 @@ export async function solve(puzzle, pathlight) {
       ),
   );
   await puzzle.evaluate((element, ball) => element.setAttribute("ball", ball), ball.join());
-  await puzzle.locator("#run").click();
+  await drop.click();
   const { solved, task: about, ball: placed } = await played;
   assert.deepEqual({ solved, task: about, placed }, { solved: true, task, placed: ball });
 }
 
-/** Solves the first puzzle of the example's page while the second shows its maps. */
+/** Solves the first puzzle of the example's page while the second shows what the nets imagine. */
 export async function playBoth(page, pathlight) {
   await solve(page.locator("pathlight-puzzle").nth(0), pathlight);
   const second = page.locator("pathlight-puzzle").nth(1);
-  await second.locator('#maps canvas[aria-label*="most sure"]').nth(4).waitFor({ timeout: 60_000 });
+  await second.getByText("If you do nothing").filter({ visible: true }).first().waitFor({ timeout: 60_000 });
 }

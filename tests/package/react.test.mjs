@@ -9,11 +9,11 @@ import { build } from "vite";
 import { startOn } from "../browser/harness.mjs";
 import { serveStatic } from "../browser/static-server.mjs";
 import { open, solve } from "./playing.mjs";
-import { example, makeProject, root } from "./project.mjs";
+import { entryOf, example, makeProject, root } from "./project.mjs";
 
 const tools = join(root, "tests/package/node_modules");
 const project = makeProject();
-const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
+const { load } = await import(entryOf(project));
 writeFileSync(join(project, "puzzle.tsx"), example(project, "puzzle.tsx"));
 const compilerOptions = {
   strict: true,

@@ -20,7 +20,17 @@ const LAYERS = [
   "app",
   "element",
   "main",
+  "api",
+  "exhibits",
 ];
+/** The package knows nothing of the page, and the exhibits know the package as other pages do, and the texts. */
+const ONLY: Record<string, readonly string[]> = { api: ["pkg", "api"], exhibits: ["pkg", "text", "exhibits"] };
+/** What is not the page's own, and may be imported there. */
+const OTHERS: Record<string, readonly string[]> = {
+  view: ["lit-html"],
+  app: ["lit-html"],
+  exhibits: ["lit-html", "pathlight"],
+};
 
 function importsOf(path: string): string[] {
   const source = readFileSync(`${PAGE}/${path}`, "utf8");
@@ -44,8 +54,9 @@ test("each part of the page imports only those below it, and core/ neither a bro
       const isRelative = name.startsWith(".");
       const target = isRelative ? new URL(name, `file:///${path}`).pathname.slice(1) : name;
       const what = `${path} imports ${name}`;
-      if (!isRelative) assert.ok(layerOf(path) === "view" || path === "app.ts", what);
+      if (!isRelative) assert.ok(OTHERS[layerOf(path)]?.includes(layerOf(name)), what);
       else assert.ok(LAYERS.indexOf(layerOf(target)) <= place, what);
+      assert.ok(!isRelative || (ONLY[layerOf(path)] ?? [layerOf(target)]).includes(layerOf(target)), what);
       if (layerOf(path) === "core") assert.ok(!target.startsWith("pkg/page") && !target.startsWith("pkg/worker"), what);
     }
   }

@@ -6,7 +6,7 @@ import { SharedModel } from "../../www-next/model/shared.ts";
 import { FakeWorker } from "./fake-worker.ts";
 import type { Model } from "../../www-next/core/change/model.ts";
 
-const FILES = { worker: "worker.js", wasm: "https://a.test/w.wasm", assets: "https://a.test/assets/" };
+const FILES = { worker: "worker.js", wasm: "https://a.test/w.wasm", weights: {} };
 const settled = () => new Promise((resolve) => setImmediate(resolve));
 
 function following(model: SharedModel) {

@@ -10,7 +10,8 @@ import type { Model } from "../core/change/model.ts";
 export interface ModelFiles {
   readonly worker: string;
   readonly wasm: string;
-  readonly assets: string;
+  /** By the names of the models’ files. */
+  readonly weights: Readonly<Record<string, string>>;
 }
 
 type Listener = (model: Model) => void;
@@ -21,7 +22,7 @@ export class SharedModel {
   #model: Model = MODEL_OFF;
   #listeners = new Set<Listener>();
 
-  constructor(files: ModelFiles, create = () => new Worker(files.worker, { type: "module" })) {
+  constructor(files: ModelFiles, create = () => startWorker(files.worker)) {
     this.#files = files;
     this.client = new ModelClient(create, (failure) => this.#tell({ kind: "failed", failure }));
   }
@@ -43,7 +44,7 @@ export class SharedModel {
     this.#tell({ kind: "loading", arrived: 0 });
     this.client.start();
     const { name, file, size, sha256 } = models.models[0]!;
-    const weights = { url: new URL(file, this.#files.assets).href, size, sha256 };
+    const weights = { url: this.#files.weights[file]!, size, sha256 };
     const onUpdate = (arrived: number) => this.#tell({ kind: "loading", arrived });
     try {
       const card = await this.client.call("load", [this.#files.wasm, weights], new AbortController().signal, onUpdate);
@@ -65,10 +66,19 @@ export class SharedModel {
   }
 }
 
+/** Browsers start no script of another origin as a worker, but one of the page's own may import it. */
+function startWorker(url: string): Worker {
+  if (new URL(url).origin === location.origin) return new Worker(url, { type: "module" });
+  const script = URL.createObjectURL(new Blob([`import ${JSON.stringify(url)};`], { type: "text/javascript" }));
+  const worker = new Worker(script, { type: "module" });
+  worker.addEventListener("message", () => URL.revokeObjectURL(script), { once: true });
+  return worker;
+}
+
 const shared = new Map<string, SharedModel>();
 
 export function sharedModel(files: ModelFiles): SharedModel {
-  const key = Object.values(files).join();
+  const key = JSON.stringify(files);
   const model = shared.get(key) ?? new SharedModel(files);
   shared.set(key, model);
   return model;

@@ -99,6 +99,12 @@ function menu({ store }: App): View {
             </button>`,
         )}
       </fieldset>
+      <p>
+        ${(["learns", "results"] as const).map(
+          (exhibit) =>
+            html`<a href=${`${exhibit}.html?lang=${text.language}&theme=${theme(state)}`}>${text.page[exhibit]}</a>`,
+        )}
+      </p>
     </div>
   </details>`;
 

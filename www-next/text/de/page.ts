@@ -29,6 +29,8 @@ export const page: Text["page"] = {
   theme: "Farben",
   themes: { light: "Hell", dark: "Dunkel" },
   language: "Sprache",
+  learns: "Sieh ihm beim Lernen zu",
+  results: "Wie gut sind die Modelle?",
   scene: "Szene des Rätsels",
 
   loading: (arrived) => `Das Modell lädt (${percent(arrived)}). Du kannst schon spielen.`,

@@ -29,6 +29,8 @@ export const page = {
   theme: "Theme",
   themes: { light: "Light", dark: "Dark" },
   language: "Language",
+  learns: "Watch it learn",
+  results: "How good are the models?",
   scene: "puzzle scene",
 
   loading: (arrived: number) => `The model is loading (${percent(arrived)}). You can play already.`,

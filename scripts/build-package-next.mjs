@@ -1,0 +1,147 @@
+// Packs target/next/pathlight-VERSION.tgz, the npm package out of www-next: the package for scripts and the element,
+// each as one bundle, with the worker, the declarations that tsc writes, the wasm, one model and the README. It takes
+// the place of build-package.mjs when www-next becomes www. Prints the sizes by part.
+
+import { execFileSync } from "node:child_process";
+import { appendFileSync, copyFileSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+import { bundling } from "./build-page.mjs";
+
+/** The model inside. */
+const MODEL = "within-0";
+/** The examples that use the package. */
+const EXAMPLES = ["auccess.mjs", "page.html", "imagine.html", "puzzle.tsx"];
+/** What is called otherwise than in today's package. */
+const RENAMED = [
+  ["api/index.js", "pathlight.js"],
+  ["element/pathlight-puzzle.js", "element.js"],
+  [/ hide="[^"]*"/g, ""],
+];
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");
+const sources = join(root, "www-next");
+const out = join(root, "target/next");
+const stage = join(out, "package");
+const declarations = join(out, "declarations");
+const read = (path) => readFileSync(join(root, path), "utf8");
+const write = (path, text) => {
+  mkdirSync(dirname(join(stage, path)), { recursive: true });
+  writeFileSync(join(stage, path), text);
+};
+const place = (from, to) => {
+  mkdirSync(dirname(join(stage, to)), { recursive: true });
+  copyFileSync(join(root, from), join(stage, to));
+};
+const entry = JSON.parse(read("assets/model.json")).models.find(({ name }) => name === MODEL);
+
+/**
+ * What the package has otherwise than the page: one model, and the wasm's glue code beside its wasm, where bundlers
+ * look for that; but within the worker, which they take as it is.
+ */
+const packaging = {
+  name: "packaging",
+  setup({ onLoad, onResolve }) {
+    onLoad({ filter: /model\.json$/ }, () => ({ contents: JSON.stringify({ models: [entry] }), loader: "json" }));
+    onResolve({ filter: /pkg\/\w+\/pathlight\.js$/ }, ({ path, importer }) =>
+      importer.endsWith("worker.ts") ? null : { path: `./${path.replace(/^[./]+/, "")}`, external: true },
+    );
+    onLoad({ filter: /pkg\/\w+\/pathlight\.js$/ }, ({ path }) => ({
+      contents: readFileSync(path, "utf8").replace("new URL('pathlight_bg.wasm', import.meta.url)", "undefined"),
+    }));
+  },
+};
+
+rmSync(out, { recursive: true, force: true });
+for (const [path, name] of [
+  ["api/index.ts", "pathlight"],
+  ["element.ts", "element"],
+  ["model/worker.ts", "worker"],
+]) {
+  await build({
+    ...bundling(),
+    entryPoints: [{ in: join(sources, path), out: name }],
+    outdir: stage,
+    chunkNames: "chunks/[name]-[hash]",
+    splitting: true,
+    // Not the package for scripts, which people read when something goes wrong.
+    minify: name !== "pathlight",
+    plugins: [packaging],
+  });
+}
+
+execFileSync(
+  join(root, "scripts/node_modules/.bin/tsc"),
+  [
+    ...["--project", sources, "--noEmit", "false", "--declaration", "--emitDeclarationOnly"],
+    ...["--rootDir", root, "--outDir", declarations],
+  ],
+  { stdio: "inherit" },
+);
+/** Places the declarations of a module, and of all that these import. */
+function declare(path, placed = new Set()) {
+  if (placed.has(path)) return;
+  placed.add(path);
+  if (path.startsWith("pkg/")) return placeWasmTypes(path);
+  const text = readFileSync(join(declarations, "www-next", path), "utf8");
+  for (const [, name] of text.matchAll(/(?:from |import\()"(\.[^"]+)"/g))
+    declare(join(dirname(path), name).replace(/(\.ts|\.js)$/, ".d.ts"), placed);
+  write(path, text.replaceAll(/("\.[^"]+)\.ts"/g, '$1.js"'));
+}
+/** Projects for Node alone have no types of the web; without them the declarations do not compile. */
+function placeWasmTypes(path) {
+  const libraries = ["dom", "esnext.disposable"].map((name) => `/// <reference lib="${name}" />\n`).join("");
+  write(path, libraries + read(`www-next/${path}`));
+}
+declare("api/index.d.ts");
+declare("element.d.ts");
+appendFileSync(join(stage, "element.d.ts"), read("package/react.d.ts"));
+
+for (const side of ["page", "worker"])
+  for (const file of ["pathlight.js", "pathlight_bg.wasm"])
+    place(`www-next/pkg/${side}/${file}`, `pkg/${side}/${file}`);
+// Before version 8, Vite's development server packs modules of packages into a folder of its own, where their addresses
+// lead nowhere; those that are not called .js it leaves where they are. And Parcel finds these files by their names.
+write("pathlight.jsx", 'export * from "./pathlight.js";\n');
+write("element.jsx", 'export * from "./element.js";\n');
+// Where a server renders a page, the element is a tag; the browser makes a puzzle of it.
+write("element-in-node.js", "export {};\n");
+const renamed = (text) => RENAMED.reduce((made, [from, to]) => made.replaceAll(from, to), text);
+write("README.md", read("package/README.next.md").replaceAll("](../examples/", "](examples/"));
+for (const file of EXAMPLES) write(`examples/${file}`, renamed(read(`examples/${file}`)));
+for (const file of ["LICENSE", "NOTICE"]) place(file, file);
+place("www-next/pkg/worker/licences.txt", "licences.txt");
+place("assets/scene.schema.json", "scene.schema.json");
+for (const file of [entry.file, "attempts.jsonl"]) place(`assets/${file}`, `assets/${file}`);
+
+const cargo = (key) => read("Cargo.toml").match(new RegExp(`^${key} = "(.*)"$`, "m"))[1];
+const { name, exports, ...rest } = JSON.parse(read("package/package.json"));
+// npm states where a package was built (provenance) only if its manifest names that repository.
+const repository = process.env.REPOSITORY && { type: "git", url: `git+${process.env.REPOSITORY}.git` };
+Object.assign(exports["."], { types: "./api/index.d.ts", node: "./pathlight.js" });
+Object.assign(exports["./element"], { types: "./element.d.ts" });
+const sideEffects = ["./element.jsx", "./element.js", "./chunks/*.js"];
+const manifest = {
+  name,
+  version: cargo("version"),
+  license: cargo("license"),
+  ...rest,
+  exports,
+  sideEffects,
+  repository,
+};
+write("package.json", `${JSON.stringify(manifest, null, 2)}\n`);
+
+const answer = execFileSync("npm", ["pack", "--json", "--pack-destination", out], { cwd: stage, encoding: "utf8" });
+const [{ filename, files, size }] = JSON.parse(answer);
+
+const kB = (bytes) => `${(bytes / 1000).toFixed(0)} kB`;
+const parts = { weights: /^assets\//, wasm: /\.wasm$/, declarations: /\.d\.ts$/, modules: /\.jsx?$/, "the rest": /./ };
+const sizes = Object.fromEntries(Object.keys(parts).map((part) => [part, 0]));
+for (const { path } of files) {
+  const part = Object.keys(parts).find((name) => parts[name].test(path));
+  sizes[part] += statSync(join(stage, path)).size;
+}
+console.table(Object.fromEntries(Object.entries(sizes).map(([part, bytes]) => [part, { size: kB(bytes) }])));
+console.log(`target/next/${filename}: ${files.length} files, ${kB(size)} packed`);

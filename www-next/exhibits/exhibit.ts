@@ -1,0 +1,45 @@
+// What the exhibits share: pages of their own beside the page, which know the public package and nothing of the page
+// but its texts. Language and theme are handed on in the address: learns.html?lang=de&theme=dark.
+
+import { html, render } from "lit-html";
+import { loadExhibitText } from "../text/exhibits.ts";
+import type { TemplateResult } from "lit-html";
+import type { ExhibitText } from "../text/en/exhibits.ts";
+
+const page = document.getElementById("page")!;
+const asked = new URLSearchParams(location.search);
+const darkScheme = matchMedia("(prefers-color-scheme: dark)");
+
+export const still = matchMedia("(prefers-reduced-motion: reduce)");
+
+export function isDark(): boolean {
+  return (asked.get("theme") ?? (darkScheme.matches ? "dark" : "light")) === "dark";
+}
+
+export async function loadText(): Promise<ExhibitText> {
+  const { language, text } = await loadExhibitText(asked.get("lang") ?? navigator.language);
+  const theme = asked.get("theme");
+  document.documentElement.lang = language;
+  if (theme) document.documentElement.dataset.theme = theme;
+  // What stands there until the texts have come.
+  page.replaceChildren();
+  return text;
+}
+
+/** Renders an exhibit under its title, and the way back. */
+export function show(text: ExhibitText, title: string, body: TemplateResult): void {
+  document.title = `${title} · Pathlight`;
+  const whole = html`<main class="exhibit">
+    <a class="back" href="./">← ${text.back}</a>
+    <h1>${title}</h1>
+    ${body}
+  </main>`;
+  render(whole, page);
+}
+
+export function onDarkChange(act: () => void): void {
+  darkScheme.addEventListener("change", act);
+}
+
+/** The address of a puzzle on the page. */
+export const puzzleAddress = (task: string): string => `./#task=${task}`;
