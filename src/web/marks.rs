@@ -135,7 +135,7 @@ impl Painter<'_> {
 
     /// Draws the path that a person has drawn, with a dot at its end.
     pub(crate) fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
-        self.path(points.iter().copied(), Role::Green, LineStyle::Dashed)?;
+        self.path(points.iter().copied(), Role::Green, LineStyle::Dotted)?;
         let Some(&[x, y]) = points.last() else { return Ok(()) };
         self.context.begin_path();
         self.context.arc(x, y, 3.0, 0.0, TAU)?;

@@ -24,6 +24,7 @@ use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::nearest_place::nearest_place;
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::sampled_paths::SampledPaths;
+use crate::raster::trail_image;
 use crate::session::ending::Ending;
 use crate::session::moments::visible_end;
 use crate::session::puzzle::Puzzle;
@@ -114,6 +115,28 @@ impl OpenPuzzle {
         let paths = paths.map_or(Ok(JsValue::NULL), |paths| paths_to_js(&paths).map(Into::into))?;
         js_sys::Reflect::set(&facts, &"paths".into(), &paths)?;
         Ok(facts)
+    }
+
+    /// Returns the real paths of what a ball leads to as masks; without a ball, that of the green object alone.
+    ///
+    /// # Errors
+    /// `bad_data` if it is not a ball, `invalid_ball`.
+    #[wasm_bindgen(js_name = pathMasks, unchecked_return_type = "PathMasks")]
+    pub fn path_masks(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Ball | null")] ball: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let ball = ball_from(ball)?;
+        let rollout = self.simulated(ball)?;
+        Recording { ball, rollout, line_style: LineStyle::Solid, of_model: false }.path_masks(&self.puzzle.scene)
+    }
+
+    /// Returns what a person has drawn as the path of the green object (x, y, x, y, … in px) as a mask of its path.
+    #[wasm_bindgen(js_name = sketchMask)]
+    pub fn sketch_mask(&self, points: &[f64]) -> Vec<f32> {
+        let points: Vec<[f64; 2]> = points.chunks_exact(2).map(|point| [point[0], point[1]]).collect();
+        let Puzzle { scene, .. } = &self.puzzle;
+        trail_image(&scene.bodies[scene.body1], &points).to_f32().collect()
     }
 
     /// Draws a frame into a square canvas: the scene, the maps over it, then paths, balls and the ring. Bodies are

@@ -88,7 +88,8 @@ impl Painter<'_> {
         self.context.begin_path();
         self.context.move_to(object.x, object.y);
         hint.object.chunks_exact(2).for_each(|point| self.context.line_to(point[0], point[1]));
-        let style = if hint.tried { LineStyle::Dashed } else { LineStyle::Dotted };
+        // Forty dotted lines over each other would be a cloud.
+        let style = if hint.tried { LineStyle::Dashed } else { LineStyle::Solid };
         self.set_stroke(self.palette.role(object.role), HINT_WIDTH, style)?;
         self.set_alpha(hint.opacity);
         self.context.stroke();
