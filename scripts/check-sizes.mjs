@@ -20,7 +20,8 @@ const LIMITS = [
   { folder: DIST, part: "weights within-0", files: /within-0-\w+\.safetensors$/, raw: 3720, br: 3000 },
   { folder: DIST, part: "weights cross-0", files: /cross-0-\w+\.safetensors$/, raw: 3720, br: 3050 },
   { folder: NEXT, part: "next page's wasm", files: /page\/\w+\.wasm$/, raw: 1000, br: 260 },
-  { folder: NEXT, part: "next page's scripts", files: /^(main|worker|chunks.[\w-]+)\.js$/, raw: 200, br: 60 },
+  // With the words in both languages. The aim stays 60 kB compressed.
+  { folder: NEXT, part: "next page's scripts", files: /^(main|worker|chunks.[\w-]+)\.js$/, raw: 220, br: 71 },
 ];
 
 /**

@@ -4,6 +4,7 @@ import { endIntro } from "./core/change/home.ts";
 import { making } from "./core/change/make.ts";
 import { openPanel, opened, routed } from "./core/change/route.ts";
 import { again, drop, togglePlaying } from "./core/change/run.ts";
+import { letRun } from "./core/change/sketch.ts";
 import { setNotice } from "./core/change/settings.ts";
 import { nextStep } from "./core/derived/duel.ts";
 import { canGoOn } from "./core/derived/hidden.ts";
@@ -68,10 +69,13 @@ export function takeNextStep(store: Store<State>): void {
       return store.change(endIntro);
     case "drop":
       return store.change(drop);
+    case "run":
+      return store.change(letRun);
     case "pause":
     case "play":
       return store.change(togglePlaying);
     case "again":
+    case "back":
     case "make":
       return store.change(again);
     case "next":
@@ -98,10 +102,10 @@ export function goTo(store: Store<State>, task: string): void {
 }
 
 function suggested({ puzzle, kept }: State): string {
-  return nextTask(benchmark(), puzzle.about.id, (task) => task in kept.attempts);
+  return nextTask(benchmark(kept.model), puzzle.about.id, (task) => task in kept.attempts);
 }
 
 /** The puzzle in the picture on the home page: new to person and model. */
-export function homeTask({ attempts }: Kept): string {
-  return FIRST_TASK in attempts ? nextTask(benchmark(), null, (task) => task in attempts) : FIRST_TASK;
+export function homeTask({ attempts, model }: Kept): string {
+  return FIRST_TASK in attempts ? nextTask(benchmark(model), null, (task) => task in attempts) : FIRST_TASK;
 }

@@ -10,7 +10,9 @@ import { Store } from "./core/store.ts";
 import { languageEffect } from "./effects/language.ts";
 import { makingEffect } from "./effects/making.ts";
 import { modelEffects } from "./effects/model.ts";
+import { tourEffect } from "./effects/tour.ts";
 import { listen } from "./stage/listen.ts";
+import { LoadError } from "./model/loading.ts";
 import { Stage } from "./stage/stage.ts";
 import { toolOf } from "./stage/tools.ts";
 import { loadText } from "./text/text.ts";
@@ -30,7 +32,7 @@ export interface Given {
   /** What is rendered into; what stands there goes. */
   readonly root: HTMLElement | ShadowRoot;
   /** Where keys are heard that are not the scene's alone. */
-  readonly keys: EventTarget;
+  readonly keys: Document | ShadowRoot;
   readonly link: Link;
   readonly puzzle: Puzzle;
   readonly kept: Kept;
@@ -78,9 +80,15 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const isNamed = given.embedded || route.task !== null;
   const named = { ...route, task: isNamed ? id : null, scene: id === null ? route.scene : null };
   const first = start(named, given.puzzle, given.kept, device(), text, ball);
-  const store = new Store(first, [languageEffect, makingEffect, ...modelEffects(given.files), ...given.effects]);
+  const store = new Store(first, [
+    languageEffect,
+    tourEffect,
+    makingEffect,
+    ...modelEffects(given.files),
+    ...given.effects,
+  ]);
   const stage = new Stage(schedule);
-  const app = { store, canvas: stage.canvas, embedded: given.embedded };
+  const app = { store, canvas: stage.canvas, loupe: stage.loupe, embedded: given.embedded };
   const root = given.root as HTMLElement;
   let frame = 0;
   /** When the frame before was, while something plays. */
@@ -91,6 +99,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     query.addEventListener("change", () => store.change(setDevice, device()), { signal });
   // A page that the browser kept goes on as if it had not been left, but for what was loading then.
   addEventListener("pageshow", ({ persisted }) => persisted && store.change(startModel), { signal });
+  addEventListener("online", () => isOffline(store.state) && store.change(startModel), { signal });
   signal.addEventListener("abort", () => {
     store.stop();
     stage.stop();
@@ -129,6 +138,16 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
 function today(): number {
   const now = new Date();
   return Date.UTC(now.getFullYear(), now.getMonth(), now.getDate()) / 86_400_000;
+}
+
+function isOffline({ model }: State): boolean {
+  return model.kind === "failed" && model.failure.code === "offline";
+}
+
+/** Why nothing can be shown, and what helps. */
+export async function explained(error: unknown, language: Language): Promise<string> {
+  const { page } = await loadText(language);
+  return page.failure(error instanceof LoadError ? error.failure : { code: "broken", reason: String(error) });
 }
 
 /** The language of a tag like "de-AT"; English for all that there are no texts for. */

@@ -8,7 +8,7 @@
 // choices in this browser (read once, when the puzzle is opened).
 
 import { follow, puzzleOf } from "./actions.ts";
-import { filesAt, languageOf, mount } from "./app.ts";
+import { explained, filesAt, languageOf, mount } from "./app.ts";
 import { NOTHING_KEPT, choose } from "./core/change/kept.ts";
 import { attempts, toldAttempts } from "./core/derived/duel.ts";
 import { theme } from "./core/derived/looks.ts";
@@ -18,7 +18,7 @@ import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
 import css from "./style.css";
 import type { Files } from "./app.ts";
-import type { Theme } from "./core/change/kept.ts";
+import type { Language, Theme } from "./core/change/kept.ts";
 import type { Link } from "./core/change/route.ts";
 import type { State } from "./core/state.ts";
 import type { Effect } from "./core/store.ts";
@@ -87,6 +87,8 @@ export class PathlightPuzzle extends HTMLElement {
   declare panel: string | null;
   /** The maps over the scene, with commas between them; null for none. */
   declare layers: string | null;
+  /** The step of the walkthrough in the panel "imagine"; null for all that the model imagines. */
+  declare step: string | null;
   /** "presentation" for the scene and one sentence in large type; null for the whole puzzle. */
   declare view: string | null;
   /** The number of attempts to beat; null for none. */
@@ -129,9 +131,9 @@ export class PathlightPuzzle extends HTMLElement {
       this[name] = value;
     }
     this.#leaving = new AbortController();
-    this.#start(this.#leaving.signal).catch((error) => {
+    this.#start(this.#leaving.signal).catch(async (error) => {
       reportError(error);
-      this.#root.replaceChildren(String(error.message));
+      this.#root.replaceChildren(await explained(error, this.#language()));
     });
   }
 
@@ -179,8 +181,9 @@ export class PathlightPuzzle extends HTMLElement {
     const shared = link.scene === null ? null : await puzzleOf(link.scene);
     if (signal.aborted) return;
     if (shared && "problem" in shared) throw new Error("The attribute scene holds no puzzle that may be played.");
-    const puzzle = shared ?? openPuzzle(link.task ?? nextTask(benchmark(), null, (task) => task in kept.attempts));
-    const language = languageOf(this.closest("[lang]")?.getAttribute("lang") ?? navigator.language);
+    const puzzle =
+      shared ?? openPuzzle(link.task ?? nextTask(benchmark(kept.model), null, (task) => task in kept.attempts));
+    const language = this.#language();
     const told = [this.#attributes(), this.#attempts(), this.#model()];
     const effects = [...told, ...(remembers ? [keepingEffect()] : [])];
     const given = { root: this.#root, keys: this.#root, link, puzzle, kept, files, embedded: true, language, effects };
@@ -188,6 +191,10 @@ export class PathlightPuzzle extends HTMLElement {
     if (signal.aborted) return;
     this.#app = app;
     if (remembers) listenToOtherTabs(app.store, signal);
+  }
+
+  #language(): Language {
+    return languageOf(this.closest("[lang]")?.getAttribute("lang") ?? navigator.language);
   }
 
   /** The attributes that are parts of a link. */

@@ -1,7 +1,7 @@
 // The page: opens what the address names, and keeps what is played.
 
 import { follow, homeTask, puzzleOf } from "./actions.ts";
-import { filesAt, languageOf, mount } from "./app.ts";
+import { explained, filesAt, languageOf, mount } from "./app.ts";
 import { setNotice } from "./core/change/settings.ts";
 import { addressEffect, pageOf, readAddress } from "./effects/address.ts";
 import { recordedEffect } from "./effects/home.ts";
@@ -52,7 +52,9 @@ function existing(task: string): Puzzle | null {
 }
 
 const root = document.getElementById("page")!;
-run(root).catch((error) => {
+run(root).catch(async (error) => {
   reportError(error);
-  document.getElementById("trouble")!.hidden = false;
+  const trouble = document.getElementById("trouble")!;
+  trouble.hidden = false;
+  trouble.textContent = await explained(error, languageOf(navigator.language));
 });

@@ -2,6 +2,7 @@
 
 import init, {
   OpenPuzzle,
+  attemptLine,
   customScene,
   fold,
   paintEditedScene,
@@ -11,10 +12,10 @@ import init, {
   sceneDigest,
   sceneProblems,
   solveRates,
-  verifyAttempt,
 } from "./pkg/page/pathlight.js";
 import { GRID_SIDE, SCENE_SIZE, TEMPLATES } from "./pkg/constants.ts";
-import models from "../assets/model.json";
+import { loadError } from "./model/loading.ts";
+import { infoOf } from "./model/shared.ts";
 import type { Puzzle } from "./core/puzzle.ts";
 import type { Benchmark } from "./core/derived/next.ts";
 import type {
@@ -23,7 +24,6 @@ import type {
   CustomScene,
   MapName,
   Puzzle as Source,
-  RolloutFacts,
   SceneProblem,
   Setup,
   ShownRollout,
@@ -45,9 +45,13 @@ export function loadSimulator(url: string): Promise<void> {
 }
 
 async function load(url: string): Promise<void> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-  await init({ module_or_path: response });
+  try {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+    await init({ module_or_path: response });
+  } catch (error) {
+    throw await loadError(url, error, "damaged");
+  }
 }
 
 /** Throws if there is no such task, or if the scene may not be played. */
@@ -65,6 +69,8 @@ export function openPuzzle(source: Source): Puzzle {
     whyInvalid: latest((ball) => open.whyInvalid(...ball) ?? null),
     nearestPlace: (ball) => open.nearestPlace(...ball) ?? null,
     rollout: remembered((ball) => open.rollout(ball)),
+    pathMasks: remembered((ball) => open.pathMasks(ball)),
+    sketchMask: (path) => open.sketchMask(path),
   };
   handles.set(puzzle, open);
   return puzzle;
@@ -106,11 +112,11 @@ export function fits(scene: CustomScene, index: number): boolean {
 
 /** A map as a picture, painted once. Its opacity is that of the values, so that what is unsure looks so. */
 export function mapPicture(name: MapName, values: Float32Array, dark: boolean): HTMLCanvasElement {
-  return picture(values, dark, GRID_SIDE, (context) => paintMap(context, name, values, 1, dark));
+  return picture(pictures, values, dark, GRID_SIDE, (context) => paintMap(context, name, values, 1, dark));
 }
 
 export function outcomesPicture(outcomes: Uint8Array, dark: boolean): HTMLCanvasElement {
-  return picture(outcomes, dark, SCENE_SIZE, (context) => paintOutcomes(context, outcomes, dark));
+  return picture(pictures, outcomes, dark, SCENE_SIZE, (context) => paintOutcomes(context, outcomes, dark));
 }
 
 /** The scene of a puzzle, small. It is painted once the page has nothing more urgent to do. */
@@ -146,21 +152,17 @@ function paintNext(deadline?: IdleDeadline): void {
   if (unpainted.length > 0) later(paintNext);
 }
 
-/** By which puzzle an attempt of a file is kept; null unless it is what the simulator makes of its ball. */
-export function keyOf(line: AttemptLine): string | null {
-  if (verifyAttempt(line).verdict !== "same") return null;
-  return line.task ?? (line.scene ? sceneDigest(line.scene) : null);
-}
+const known = new Map<Setup, Benchmark>();
 
-let known: Benchmark | null = null;
-
-export function benchmark(): Benchmark {
-  if (known) return known;
-  // A model is named after the fold that it was trained on: "within-0".
-  const [setup, number] = models.models[0]!.name.split("-");
+/** What is new in it to the model of a setup. */
+export function benchmark(setup: Setup = "within"): Benchmark {
+  const before = known.get(setup);
+  if (before) return before;
   const tasks = TEMPLATES.flatMap((template) => template.tasks);
-  known = { tasks, rates: solveRates(), unseen: new Set(fold(setup as Setup, Number(number)).test) };
-  return known;
+  const { test } = fold(setup, Number(infoOf(setup).name.split("-")[1]));
+  const made = { tasks, rates: solveRates(), unseen: new Set(test) };
+  known.set(setup, made);
+  return made;
 }
 
 /** The share of balls that solve a task. */
@@ -169,9 +171,35 @@ export function rateOf(task: string): number {
   return rates[tasks.indexOf(task)] ?? 0;
 }
 
-const pictures = new WeakMap<object, Map<boolean, HTMLCanvasElement>>();
+/**
+ * An attempt of a file, simulated again: what becomes of the ball today, and the key of its puzzle. Null if it is none.
+ */
+export function readAttempt({ task, scene, ball }: Partial<AttemptLine>): { key: string; line: AttemptLine } | null {
+  try {
+    const line = attemptLine((task ?? scene)!, ball!);
+    const key = line.task ?? sceneDigest(line.scene!);
+    return line.ball && line.status !== "invalid" ? { key, line } : null;
+  } catch {
+    return null;
+  }
+}
+
+/** A map over the scene, small. */
+export function mapTile(puzzle: Puzzle, name: MapName, values: Float32Array, dark: boolean): HTMLCanvasElement {
+  return picture(tiles, values, dark, SCENE_SIZE, (context) => {
+    paintThumbnail(context, puzzle.source, dark);
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(mapPicture(name, values, dark), 0, 0, SCENE_SIZE, SCENE_SIZE);
+  });
+}
+
+/** By their values; for light and dark. */
+type Pictures = WeakMap<object, Map<boolean, HTMLCanvasElement>>;
+const tiles: Pictures = new WeakMap();
+const pictures: Pictures = new WeakMap();
 
 function picture(
+  pictures: Pictures,
   values: Float32Array | Uint8Array,
   dark: boolean,
   side: number,
@@ -200,8 +228,8 @@ function latest<Result>(compute: (ball: Ball) => Result): (ball: Ball) => Result
 const MOST_REMEMBERED = 16;
 
 /** A pure function that keeps its last results. */
-function remembered(compute: (ball: Ball | null) => RolloutFacts): (ball: Ball | null) => RolloutFacts {
-  const results = new Map<string, RolloutFacts>();
+function remembered<Result>(compute: (ball: Ball | null) => Result): (ball: Ball | null) => Result {
+  const results = new Map<string, Result>();
   return (ball) => {
     const key = String(ball);
     const result = results.get(key) ?? compute(ball);

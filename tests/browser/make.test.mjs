@@ -185,5 +185,5 @@ test("a damaged link says so, and something else can be played", async () => {
     .getByRole("alert")
     .getByText("This link’s puzzle cannot be opened: a part of the link is missing")
     .waitFor();
-  await button(page, "Drop it").waitFor();
+  await button(page, "Play against it").waitFor();
 });

@@ -21,7 +21,7 @@ export async function startPlayer() {
 export async function openPuzzle(session, link = `#task=${EASY}`, options = {}) {
   const page = await session.open("", options);
   await page.goto(`${session.origin}/${link}`);
-  await button(page, /Drop it|Fallen lassen/).waitFor();
+  await button(page, /Drop it|Fallen lassen|Let it run/).waitFor();
   return page;
 }
 
@@ -78,7 +78,7 @@ export async function says(page, pattern) {
 
 /** Waits for the model. */
 export async function modelIsThere(page) {
-  await page.getByRole("heading", { name: /imagines|vorstellt/ }).waitFor();
+  await page.getByText(/^Modell? [AB]\./).waitFor();
 }
 
 /** Drops the ball where it is, and waits for the verdict. */

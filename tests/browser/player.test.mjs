@@ -143,7 +143,7 @@ test("without the model's file one plays alone, and can load it again", async ()
   const page = await session.open("", STILL);
   await page.route(/safetensors/, (route) => route.fulfill({ status: 404, body: "" }));
   await page.goto(`${session.origin}/#task=${EASY}`);
-  await page.getByText("were not found on this server").waitFor();
+  await page.getByText("was not found on this server").waitFor();
   await place(page, balls.missing[0]);
   await drop(page);
   assert.match(await says(page, /Not yet/), /^Not yet\./);
@@ -157,7 +157,7 @@ test("what a browser takes away comes back: the picture of the scene, and a mode
   const page = await session.open("", STILL);
   await page.route(/safetensors/, (route) => route.abort());
   await page.goto(`${session.origin}/#task=${EASY}`);
-  await page.getByText("No connection").waitFor();
+  await page.getByText("The server does not answer").waitFor();
   await scene(page).evaluate((canvas) => {
     canvas.getContext("2d").clearRect(0, 0, canvas.width, canvas.height);
     canvas.dispatchEvent(new Event("contextrestored"));

@@ -8,8 +8,8 @@ import { dropAt, fresh, MISSING } from "./player.ts";
 import type { Link } from "../../www-next/core/change/route.ts";
 
 test("an address names puzzle, maps and ball, and is read as it was written", () => {
-  const link: Link = { ...START, task: "00007:008", layers: ["base", "placement"], ball: [40, 200, 12] };
-  assert.equal(writeAddress(link), "#task=00007:008&layers=base,placement&ball=40,200,12");
+  const link: Link = { ...START, task: "00007:008", layers: ["base", "placement"], step: "run", ball: [40, 200, 12] };
+  assert.equal(writeAddress(link), "#task=00007:008&layers=base,placement&step=run&ball=40,200,12");
   assert.deepEqual(readAddress(writeAddress(link)), { link, unread: [] });
   assert.equal(readAddress("#scene=a-Z_9&panel=make").link.scene, "a-Z_9");
   assert.deepEqual(readAddress("#scene=a%20b").unread, ["scene=a b"]);

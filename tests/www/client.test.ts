@@ -11,6 +11,7 @@ function started() {
   const crashes: Failure[] = [];
   const client = new ModelClient(
     () => FakeWorker.in(workers),
+    "worker.js",
     (failure) => crashes.push(failure),
   );
   client.start();

@@ -2,27 +2,26 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PANELS, START, routed } from "../../www-next/core/change/route.ts";
+import { START, routed } from "../../www-next/core/change/route.ts";
 import { openSheet, toggleHidden, usePreset } from "../../www-next/core/change/sheet.ts";
+import { nextStep } from "../../www-next/core/derived/duel.ts";
 import { isAlone, isHidden, shownPanels } from "../../www-next/core/derived/hidden.ts";
 import { result } from "../../www-next/core/derived/home.ts";
 import { pageOf, readAddress, writeAddress } from "../../www-next/effects/address.ts";
-import { SOLVING, fresh, playAt } from "./player.ts";
+import { SOLVING, fresh, playAt, withTurn } from "./player.ts";
 import type { Link } from "../../www-next/core/change/route.ts";
-
-/** Panels that are there are opened; without them nothing is worth a link. */
-const panel = (name: string) =>
-  ({ panel: (PANELS as readonly string[]).includes(name) ? name : "play" }) as Partial<Link>;
 
 const OLD: [hash: string, now: Partial<Link>][] = [
   ["", {}],
   ["task=00007:008", { task: "00007:008" }],
   ["task=00007:008&panel=compare", { task: "00007:008", panel: "play" }],
-  ["task=00007:008&panel=imagine", { task: "00007:008", ...panel("imagine") }],
-  ["task=00007:008&panel=map&layers=placement", { task: "00007:008", ...panel("imagine"), layers: ["placement"] }],
+  ["task=00007:008&panel=imagine", { task: "00007:008", panel: "imagine" }],
+  ["task=00007:008&panel=map&layers=placement", { task: "00007:008", panel: "imagine", layers: ["placement"] }],
   ["task=00007:008&layers=base,judge&opacity=0.5", { task: "00007:008", layers: ["base", "success"] }],
   ["task=00007:008&model=cross-0&proposal=3&ball=40,200,12", { task: "00007:008", ball: [40, 200, 12] }],
   ["task=00007:008&view=presentation", { task: "00007:008", view: "presentation" }],
+  ["task=00007:008&view=predict", { task: "00007:008", panel: "predict" }],
+  ["task=00007:008&panel=imagine&stage=real", { task: "00007:008", panel: "imagine", step: "run" }],
   ["task=00007:008&view=stage", { task: "00007:008", view: "presentation" }],
   ["task=00007:008&challenge=3", { task: "00007:008", challenge: 3 }],
   ["task=00007:008&forecast=off", { task: "00007:008", hide: ["guess"] }],
@@ -66,6 +65,14 @@ test("in a challenge the person plays alone, and nothing gives the answer away u
   const solved = playAt(challenged, SOLVING);
   assert.equal(isHidden(solved, "guess"), false);
   assert.deepEqual(result(solved), { solvedAt: 1, modelAt: null, modelBalls: 0 });
+});
+
+test("a panel that is hidden does nothing, though the link names it", () => {
+  const known = withTurn(fresh, SOLVING);
+  const imagined = routed(known, { ...START, task: "00000:000", challenge: 2, panel: "imagine", step: "run" });
+  assert.deepEqual([imagined.run, nextStep(imagined)], [null, "drop"]);
+  const predicted = routed(known, { ...START, task: "00000:000", hide: ["predict"], panel: "predict" });
+  assert.equal(nextStep(predicted), "drop");
 });
 
 test("a lesson begins with a preset, and each part can be chosen", () => {

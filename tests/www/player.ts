@@ -1,5 +1,5 @@
-// A puzzle without wasm, for the tests of the pure state: a ball at the right solves it; one at the left edge may not be
-// placed, and has room beside it.
+// A puzzle without wasm, for the tests of the pure state: a ball at the right solves it; one at the left edge may not
+// be placed, and has room beside it.
 
 import { NOTHING_KEPT } from "../../www-next/core/change/kept.ts";
 import { answered } from "../../www-next/core/change/model.ts";
@@ -71,6 +71,8 @@ export function puzzle(task = "00000:000"): Puzzle {
     whyInvalid: ([x]) => (x < 20 ? { kind: "outside" } : null),
     nearestPlace: ([, y, r]) => [20, y, r],
     rollout: (ball) => facts(ball ?? MISSING),
+    pathMasks: () => ({ object: Float32Array.of(1, 1, 0, 0) }),
+    sketchMask: (path) => Float32Array.of(1, path.length > 4 ? 1 : 0, 0, 0),
   };
 }
 

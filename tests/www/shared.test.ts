@@ -18,7 +18,7 @@ function following(model: SharedModel) {
 
 test("the weights are loaded once, and whoever comes later has them at once", async () => {
   const workers: FakeWorker[] = [];
-  const model = new SharedModel(FILES, () => FakeWorker.in(workers));
+  const model = new SharedModel(FILES, "within", () => FakeWorker.in(workers));
   const first = following(model);
   void model.start();
   void model.start();
@@ -31,7 +31,7 @@ test("the weights are loaded once, and whoever comes later has them at once", as
 
 test("after a failure it can be started again, for all", async () => {
   const workers: FakeWorker[] = [];
-  const model = new SharedModel(FILES, () => FakeWorker.in(workers));
+  const model = new SharedModel(FILES, "within", () => FakeWorker.in(workers));
   const puzzles = [following(model), following(model)];
   void model.start();
   workers[0]!.say({ id: 1, failure: { code: "crashed", reason: "trap" } });
@@ -43,7 +43,7 @@ test("after a failure it can be started again, for all", async () => {
 
 test("the worker ends with the last puzzle, and a later one starts another", async () => {
   const workers: FakeWorker[] = [];
-  const model = new SharedModel(FILES, () => FakeWorker.in(workers));
+  const model = new SharedModel(FILES, "within", () => FakeWorker.in(workers));
   const puzzles = [following(model), following(model)];
   void model.start();
   puzzles[0]!.leave();

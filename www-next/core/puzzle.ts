@@ -6,6 +6,7 @@ import type {
   Ball,
   CustomScene,
   InvalidBall,
+  PathMasks,
   Puzzle as Source,
   RolloutFacts,
   Scene,
@@ -25,6 +26,10 @@ export interface Puzzle {
   nearestPlace(ball: Ball): Ball | null;
   /** What a ball leads to; null: the scene alone. */
   rollout(ball: Ball | null): RolloutFacts;
+  /** The real paths of that as masks. */
+  pathMasks(ball: Ball | null): PathMasks;
+  /** A path of the green object, x, y, x, y, … in px, as a mask. */
+  sketchMask(path: Float64Array): Float32Array;
 }
 
 export function sameBall(one: Ball | null, other: Ball | null): boolean {

@@ -5,6 +5,7 @@ import { NO_ANSWERS, MODEL_OFF } from "./change/model.ts";
 import { introOf } from "./change/home.ts";
 import { NO_BALL, place } from "./change/placement.ts";
 import { LESSON, SHARE } from "./change/sheet.ts";
+import { NO_SKETCH } from "./change/sketch.ts";
 import type { Check } from "./change/check.ts";
 import type { Intro, Recorded } from "./change/home.ts";
 import type { Making } from "./change/make.ts";
@@ -15,6 +16,7 @@ import type { Route } from "./change/route.ts";
 import type { Run } from "./change/run.ts";
 import type { Device, Notice } from "./change/settings.ts";
 import type { Lesson, Share, Sheet } from "./change/sheet.ts";
+import type { Sketch } from "./change/sketch.ts";
 import type { Puzzle } from "./puzzle.ts";
 import type { Ball } from "../pkg/page/pathlight.js";
 import type { Text } from "../text/text.ts";
@@ -32,6 +34,10 @@ export interface State {
   readonly answers: Answers;
   /** The search for all solutions of one radius; null while it is not shown. */
   readonly check: Check | null;
+  /** The path of the green object as the person predicts it. */
+  readonly sketch: Sketch;
+  /** Does the walkthrough go on by itself? */
+  readonly touring: boolean;
   /** The puzzle as the person changes it; null until something is changed. */
   readonly make: Making | null;
   /** The show on the home page; null once the person plays. */
@@ -69,6 +75,8 @@ export function start(
     model: MODEL_OFF,
     answers: NO_ANSWERS,
     check: null,
+    sketch: NO_SKETCH,
+    touring: false,
     make: null,
     intro: introOf(route, puzzle),
     recorded: null,

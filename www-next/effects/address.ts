@@ -1,6 +1,7 @@
 // The fragment of the address: #task=00007:008&panel=play&layers=base,target&ball=40,200,12
 
 import { HIDEABLE, PANELS, START } from "../core/change/route.ts";
+import { STEPS } from "../core/change/walkthrough.ts";
 import { PAGES, upToDate } from "./old-links.ts";
 import { isHome } from "../core/derived/home.ts";
 import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../pkg/constants.ts";
@@ -21,6 +22,7 @@ const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
   scene: { write: String, read: (text) => (/^[\w-]+$/.test(text) ? text : undefined) },
   panel: { write: String, read: (text) => PANELS.find((panel) => panel === text) },
   layers: someOf(MAPS),
+  step: { write: String, read: (text) => STEPS.find((step) => step === text) },
   view: { write: String, read: (text) => (text === "presentation" ? text : undefined) },
   challenge: {
     write: String,

@@ -22,7 +22,7 @@ export function readKept(): Kept {
 /** Takes what it understands of a document of this version. */
 export function keptFrom(document: any): Kept {
   if (document?.version !== NOTHING_KEPT.version) return NOTHING_KEPT;
-  const { attempts, puzzles, forgotten, guess, alone, live, language, theme } = document;
+  const { attempts, puzzles, forgotten, guess, alone, live, model, language, theme } = document;
   const lists = Object.entries(attempts ?? {}).map(([key, lines]) => [key, linesFrom(lines)] as const);
   return {
     version: NOTHING_KEPT.version,
@@ -32,6 +32,7 @@ export function keptFrom(document: any): Kept {
     guess: guess !== false,
     alone: alone === true,
     live: live !== false,
+    model: model === "cross" ? "cross" : "within",
     language: language === "de" || language === "en" ? language : null,
     theme: theme === "light" || theme === "dark" ? theme : null,
   };
@@ -71,10 +72,18 @@ function write(store: Store<State>, kept: Kept): void {
   try {
     const { attempts, puzzles, forgotten } = merged(readKept(), kept);
     localStorage.setItem(KEY, JSON.stringify({ ...kept, attempts, puzzles, forgotten }));
+    askToStay();
   } catch (error) {
     console.warn(error);
     store.change(setNotice, { kind: "storage_full" });
   }
+}
+
+/** Browsers may delete what a page keeps, Safari after a week without a visit; some stay off it when they are asked. */
+function askToStay(): void {
+  // Firefox would ask the person, and deletes nothing unless the disk is full.
+  const isFirefox = globalThis.CSS?.supports("-moz-appearance: none");
+  if (!isFirefox) globalThis.navigator?.storage?.persist?.().catch(() => {});
 }
 
 /** Follows what other tabs keep. */

@@ -3,10 +3,11 @@
 import { sought } from "../core/change/check.ts";
 import { isSettled, making } from "../core/change/make.ts";
 import { answered, setModel } from "../core/change/model.ts";
+import { atLastStep } from "../core/change/walkthrough.ts";
 import { attempts, verdict } from "../core/derived/duel.ts";
-import { isAlone, isHidden } from "../core/derived/hidden.ts";
+import { isAlone, shownPanel } from "../core/derived/hidden.ts";
 import { isHome } from "../core/derived/home.ts";
-import { questioned } from "../core/derived/placing.ts";
+import { questioned, wantsGuess } from "../core/derived/placing.ts";
 import { WorkerError } from "../model/client.ts";
 import { sharedModel } from "../model/shared.ts";
 import { problemsOf } from "../simulator.ts";
@@ -18,44 +19,63 @@ import type { ModelFiles } from "../model/shared.ts";
 const FUTURES = 40;
 
 export function modelEffects(files: ModelFiles): Effect<State>[] {
-  const model = sharedModel(files);
-  const { client } = model;
+  const shared = ({ kept }: State) => sharedModel(files, kept.model);
+  const clientOf = (store: Store<State>) => shared(store.state).client;
   // Searches need a worker, but no weights.
-  const ifAlive = ({ model }: State, ...needs: unknown[]) =>
-    model.kind === "off" || (model.kind === "failed" && model.failure.code === "crashed") ? null : needs;
-  const ifReady = ({ model }: State, ...needs: unknown[]) => (model.kind === "ready" ? needs : null);
+  const ifAlive = ({ model, kept }: State, ...needs: unknown[]) =>
+    model.kind === "off" || (model.kind === "failed" && model.failure.code === "crashed")
+      ? null
+      : [kept.model, ...needs];
+  const ifReady = ({ model, kept }: State, ...needs: unknown[]) =>
+    model.kind === "ready" ? [kept.model, ...needs] : null;
 
   const following: Effect<State> = {
-    needs: () => [],
-    run: (store, signal) => model.follow((model) => store.change(setModel, model), signal),
+    needs: ({ kept }) => [kept.model],
+    run: (store, signal) => shared(store.state).follow((model) => store.change(setModel, model), signal),
   };
 
   const loading: Effect<State> = {
     // Neither its progress nor its end begins it anew.
-    needs: ({ model }) => (model.kind === "loading" ? [] : null),
-    run: () => void model.start(),
+    needs: ({ model, kept }) => (model.kind === "loading" ? [kept.model] : null),
+    run: (store) => void shared(store.state).start(),
   };
 
   // One ball more than has been played, so that the next drop need not wait.
   const turn: Effect<State> = {
     needs: (state) =>
-      isAlone(state) || state.route.panel === "make" ? null : ifReady(state, state.puzzle, attempts(state).length),
+      (isAlone(state) && !atLastStep(state)) || shownPanel(state) === "make"
+        ? null
+        : ifReady(state, state.puzzle, attempts(state).length),
+    run: (store, signal) => {
+      const turnUpTo = attempts(store.state).length + 1;
+      return ask(store, async ({ key, source }) => {
+        try {
+          return { turn: await clientOf(store).call("turn", [source, turnUpTo], signal), turnUpTo };
+        } catch (error) {
+          // Nobody waits for a ball that will not come.
+          if (!signal.aborted) store.change(answered, key, { turnUpTo });
+          throw error;
+        }
+      });
+    },
+  };
+
+  const candidates: Effect<State> = {
+    needs: (state) => (state.route.step === "imagined" ? ifReady(state, state.puzzle) : null),
     run: (store, signal) =>
-      ask(store, async ({ source }) => ({
-        turn: await client.call("turn", [source, attempts(store.state).length + 1], signal),
-      })),
+      ask(store, async ({ source }) => ({ candidates: await clientOf(store).call("candidates", [source], signal) })),
   };
 
   // Answered even if the ball has moved on meanwhile: otherwise there would be no guess before a drag ends.
   const guess: Effect<State> = {
     needs: (state) => {
       const ball = questioned(state);
-      return ball && state.kept.guess && !isHidden(state, "guess") ? ifReady(state, state.puzzle, ...ball) : null;
+      return ball && wantsGuess(state) ? ifReady(state, state.puzzle, ...ball) : null;
     },
     run: (store) =>
       ask(store, async ({ source }) => {
         const of = questioned(store.state)!;
-        const imagined = await client.call("imagineBall", [source, of], new AbortController().signal);
+        const imagined = await clientOf(store).call("imagineBall", [source, of], new AbortController().signal);
         return { guess: imagined && { of, imagined } };
       }),
   };
@@ -69,7 +89,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
     run: (store) =>
       ask(store, ({ source }) => {
         const asked = isSettled(store.state) ? source : making(store.state).scene;
-        return client.call("imagine", [asked], new AbortController().signal);
+        return clientOf(store).call("imagine", [asked], new AbortController().signal);
       }),
   };
 
@@ -78,7 +98,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
     run: (store, signal) =>
       ask(store, async ({ key, source }) => {
         const onUpdate = (found: State["answers"]["solutions"]) => store.change(answered, key, { solutions: found });
-        await client.call("solutions", [source, store.state.check!.radius], signal, onUpdate);
+        await clientOf(store).call("solutions", [source, store.state.check!.radius], signal, onUpdate);
         return {};
       }),
   };
@@ -87,7 +107,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
     needs: (state) => (state.check?.seeking ? ifAlive(state, state.puzzle) : null),
     run: (store, signal) =>
       ask(store, async ({ key, source }) => {
-        await client.call("search", [source], signal, (found) => store.change(sought, key, found));
+        await clientOf(store).call("search", [source], signal, (found) => store.change(sought, key, found));
         return {};
       }),
   };
@@ -100,7 +120,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
     run: (store, signal) =>
       ask(store, async ({ source }) => {
         const of = verdict(store.state)!.facts.line.ball!;
-        return { luck: { of, found: await client.call("luck", [source, of], signal) } };
+        return { luck: { of, found: await clientOf(store).call("luck", [source, of], signal) } };
       }),
   };
 
@@ -109,10 +129,10 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
     needs: (state) =>
       isHome(state) && state.recorded?.scene.task !== state.puzzle.source ? ifReady(state, state.puzzle) : null,
     run: (store, signal) =>
-      ask(store, async ({ source }) => ({ futures: await client.call("futures", [source, FUTURES], signal) })),
+      ask(store, async ({ source }) => ({ futures: await clientOf(store).call("futures", [source, FUTURES], signal) })),
   };
 
-  return [following, loading, turn, futures, guess, maps, luck, solutions, search];
+  return [following, loading, turn, futures, candidates, guess, maps, luck, solutions, search];
 }
 
 /** Keeps an answer about the open puzzle. A crash has been told already. */

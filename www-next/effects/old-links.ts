@@ -1,6 +1,6 @@
 // Links that people have from before: each part opens what it named, or its closest successor.
 
-import { HIDEABLE, PANELS } from "../core/change/route.ts";
+import { HIDEABLE } from "../core/change/route.ts";
 
 type Part = readonly [part: string, text: string];
 
@@ -15,6 +15,14 @@ const PANEL_NAMES = new Map([
 const MAP_NAMES = new Map([["judge", "success"]]);
 /** What a lesson hid, and what hides it now; the rest is no part of the page any more. */
 const HIDDEN_NAMES = new Map([...PANEL_NAMES, ["forecast", "guess"], ["compare", "model"]]);
+/** The steps of the longer walkthrough that there was, and the nearest of today's. */
+const STEP_NAMES = new Map([
+  ["judge", "placement"],
+  ["success", "placement"],
+  ["candidates", "imagined"],
+  ["chosen", "run"],
+  ["real", "run"],
+]);
 /** Pages that have an address of their own now. */
 export const PAGES = new Map([
   ["results", "results.html"],
@@ -23,15 +31,16 @@ export const PAGES = new Map([
 
 /** By part, what a text is now; a part that is not named here is as it was. */
 const SUCCESSORS: Record<string, (text: string) => readonly Part[]> = {
-  panel: (text) => {
-    const name = PANEL_NAMES.get(text) ?? text;
-    return [["panel", name === "imagine" && !has(PANELS, name) ? "play" : name]];
-  },
+  panel: (text) => [["panel", PANEL_NAMES.get(text) ?? text]],
   layers: (text) => [["layers", listOf(text, MAP_NAMES).join()]],
   hide: (text) => [["hide", [...new Set(listOf(text, HIDDEN_NAMES))].filter((name) => has(HIDEABLE, name)).join()]],
   // "stage" was the presentation, then a step of the walkthrough.
-  view: (text) => (PAGES.has(text) ? [] : [["view", text === "stage" ? "presentation" : text]]),
-  stage: (text) => [["step", text]],
+  view: (text) => {
+    if (PAGES.has(text)) return [];
+    return text === "predict" ? [["panel", text]] : [["view", text === "stage" ? "presentation" : text]];
+  },
+  step: (text) => [["step", STEP_NAMES.get(text) ?? text]],
+  stage: (text) => [["step", STEP_NAMES.get(text) ?? text]],
   forecast: (text) => (text === "off" ? [["hide", "guess"]] : []),
   model: () => [],
   opacity: () => [],

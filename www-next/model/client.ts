@@ -1,6 +1,7 @@
 // The page's side of the worker: each call is a promise. Once its signal is aborted it rejects with the signal's reason
 // and no update arrives any more, however late the worker answers.
 
+import { loadError } from "./loading.ts";
 import type { Failure } from "../core/change/model.ts";
 import type { Calls } from "./worker.ts";
 
@@ -31,9 +32,12 @@ export class ModelClient {
   #lastId = 0;
   #onCrash: (failure: Failure) => void;
   #create: () => Worker;
+  #script: string;
 
-  constructor(create: () => Worker, onCrash: (failure: Failure) => void) {
+  /** `script`: where the worker's code lies, to find out why it does not start. */
+  constructor(create: () => Worker, script: string, onCrash: (failure: Failure) => void) {
     this.#create = create;
+    this.#script = script;
     this.#onCrash = onCrash;
   }
 
@@ -42,11 +46,13 @@ export class ModelClient {
     this.stop({ code: "broken", reason: "The worker was started again." });
     const worker = (this.#worker = this.#create());
     worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
-    worker.addEventListener("error", (event) => {
+    worker.addEventListener("error", async (event) => {
       event.preventDefault();
       // Without a message its code could not even be loaded.
-      const code = event.message ? "crashed" : navigator.onLine ? "missing" : "offline";
-      if (worker === this.#worker) this.#crash({ code, reason: event.message || "The worker could not be loaded." });
+      const failure: Failure = event.message
+        ? { code: "crashed", reason: event.message }
+        : (await loadError(this.#script, "the worker could not be loaded", "worker")).failure;
+      if (worker === this.#worker) this.#crash(failure);
     });
   }
 

@@ -1,9 +1,10 @@
-// One worker for all puzzles of a page that use the same files: each worker holds the weights and an instance of the
-// wasm, and a lesson may show many puzzles.
+// One worker for all puzzles of a page that use the same files and model: each worker holds the weights and an instance
+// of the wasm, and a lesson may show many puzzles.
 
 import { MODEL_OFF } from "../core/change/model.ts";
 import { ModelClient, WorkerError } from "./client.ts";
 import models from "../../assets/model.json";
+import type { Setup } from "../pkg/page/pathlight.js";
 import type { Model } from "../core/change/model.ts";
 
 /** Where the files lie that the worker loads. */
@@ -19,12 +20,14 @@ type Listener = (model: Model) => void;
 export class SharedModel {
   readonly client: ModelClient;
   #files: ModelFiles;
+  #setup: Setup;
   #model: Model = MODEL_OFF;
   #listeners = new Set<Listener>();
 
-  constructor(files: ModelFiles, create = () => startWorker(files.worker)) {
+  constructor(files: ModelFiles, setup: Setup, create = () => startWorker(files.worker)) {
     this.#files = files;
-    this.client = new ModelClient(create, (failure) => this.#tell({ kind: "failed", failure }));
+    this.#setup = setup;
+    this.client = new ModelClient(create, files.worker, (failure) => this.#tell({ kind: "failed", failure }));
   }
 
   /** Tells what becomes of the model, until the signal is aborted. With the last listener the worker ends. */
@@ -43,7 +46,7 @@ export class SharedModel {
     if (this.#model.kind === "loading" || this.#model.kind === "ready") return;
     this.#tell({ kind: "loading", arrived: 0 });
     this.client.start();
-    const { name, file, size, sha256 } = models.models[0]!;
+    const { name, file, size, sha256 } = infoOf(this.#setup);
     const weights = { url: this.#files.weights[file]!, size, sha256 };
     const onUpdate = (arrived: number) => this.#tell({ kind: "loading", arrived });
     try {
@@ -77,9 +80,14 @@ function startWorker(url: string): Worker {
 
 const shared = new Map<string, SharedModel>();
 
-export function sharedModel(files: ModelFiles): SharedModel {
-  const key = JSON.stringify(files);
-  const model = shared.get(key) ?? new SharedModel(files);
+/** A model is named after the setup and the fold that it was trained on: "within-0". */
+export function infoOf(setup: Setup) {
+  return models.models.find(({ name }) => name.startsWith(setup))!;
+}
+
+export function sharedModel(files: ModelFiles, setup: Setup): SharedModel {
+  const key = JSON.stringify([setup, files]);
+  const model = shared.get(key) ?? new SharedModel(files, setup);
   shared.set(key, model);
   return model;
 }

@@ -5,6 +5,7 @@
 // { id, value } or { id, failure }. { cancel: id } ends a call that still runs: nobody waits for its answer.
 
 import init, { Model, SolutionSearch, SolveMap, luck } from "../pkg/worker/pathlight.js";
+import { LoadError, loadError } from "./loading.ts";
 import type { Futures } from "../core/change/home.ts";
 import type { Failure } from "../core/change/model.ts";
 import type { Ball, Puzzle, TriedProposal, Turn } from "../pkg/worker/pathlight.js";
@@ -29,21 +30,22 @@ let started: Promise<unknown> | null = null;
 const calls = {
   /** Loads the weights, and returns how they were trained. Updates: the fraction that has arrived, 0..1. */
   async *load(wasm: string, weights: Weights) {
-    started = init({ module_or_path: fetched(wasm) });
-    const response = await fetched(weights.url);
+    started = fetched(wasm)
+      .then((response) => init({ module_or_path: response }))
+      .catch(async (error) => Promise.reject(await loadError(wasm, error, "damaged")));
+    // It is waited for last; until then it may fail unheard.
+    started.catch(() => {});
     const bytes = new Uint8Array(weights.size);
-    let arrived = 0;
-    for await (const chunk of response.body!) {
-      if (arrived + chunk.length > weights.size) throw failed("damaged", `${weights.url} is too long`);
-      bytes.set(chunk, arrived);
-      arrived += chunk.length;
-      yield arrived / weights.size;
+    try {
+      yield* filled(bytes, await fetched(weights.url));
+      await started;
+      // A page that came neither by HTTPS nor from this machine has no hashes; the wasm still checks the file's form.
+      const hash = crypto.subtle ? hex(await crypto.subtle.digest("SHA-256", bytes)) : weights.sha256;
+      if (hash !== weights.sha256) throw new Error("other bytes");
+      model = new Model(bytes, weights.sha256);
+    } catch (error) {
+      throw error instanceof LoadError ? error : await loadError(weights.url, error, "damaged");
     }
-    // A page that came neither by HTTPS nor from this machine has no hashes; the wasm still checks the file's form.
-    const hash = crypto.subtle ? hex(await crypto.subtle.digest("SHA-256", bytes)) : weights.sha256;
-    if (arrived !== weights.size || hash !== weights.sha256) throw failed("damaged", `${weights.url} has other bytes`);
-    await started;
-    model = new Model(bytes, weights.sha256);
     return model.card();
   },
 
@@ -61,6 +63,9 @@ const calls = {
     const some = Array.from({ length: count }, (_, index) => all[Math.floor((index * all.length) / count)]!);
     return { futures: some.map(({ probability, object }) => ({ probability, path: object })), ball, imagined };
   },
+
+  /** The balls that it considers before it chooses its first. */
+  candidates: (puzzle: Puzzle) => model.candidates(puzzle) ?? [],
 
   /** The first balls of the model's turn, each tried only once it is asked for. */
   *turn(puzzle: Puzzle, count: number) {
@@ -145,24 +150,27 @@ function hex(bytes: ArrayBuffer): string {
 }
 
 async function fetched(url: string): Promise<Response> {
-  const response = await fetch(url).catch((error) => {
-    throw failed("offline", String(error));
-  });
-  if (!response.ok) throw failed("missing", `${url}: ${response.status} ${response.statusText}`);
-  // Some servers answer with a page for every address.
-  if (response.headers.get("content-type")?.startsWith("text/html")) throw failed("missing", `${url} is a page`);
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
   return response;
 }
 
-function failed(code: Failure["code"], reason: string): Error & { code: string } {
-  return Object.assign(new Error(reason), { code });
+/** Fills the bytes from an answer, and yields the fraction that has arrived. */
+async function* filled(bytes: Uint8Array, { body }: Response): AsyncGenerator<number> {
+  let arrived = 0;
+  for await (const chunk of body!) {
+    if (arrived + chunk.length > bytes.length) throw new Error("too long");
+    bytes.set(chunk, arrived);
+    arrived += chunk.length;
+    yield arrived / bytes.length;
+  }
 }
 
 function failureOf(error: any): Failure {
+  if (error instanceof LoadError) return error.failure;
   // After a panic in Rust or a trap the memory of the instance is in no known state.
   const crashed = error?.code === "panic" || error instanceof WebAssembly.RuntimeError;
-  const code = crashed ? "crashed" : ["offline", "missing", "damaged"].includes(error?.code) ? error.code : "broken";
-  return { code, reason: error?.message ?? String(error) };
+  return { code: crashed ? "crashed" : "broken", reason: error?.message ?? String(error) };
 }
 
 const channel = new MessageChannel();

@@ -22,7 +22,7 @@ const REACH: Record<string, { knob: number; ball: number }> = {
 };
 
 /** Listens until the signal is aborted; `around`: where keys are heard that are not the scene's alone. */
-export function listen(stage: Stage, around: EventTarget, store: Store<State>, signal: AbortSignal): void {
+export function listen(stage: Stage, around: Document | ShadowRoot, store: Store<State>, signal: AbortSignal): void {
   const { canvas } = stage;
   const tool = () => toolOf(store.state);
   let keyPresses = 0;
@@ -33,6 +33,7 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
     canvas.setPointerCapture(event.pointerId);
     const { knob, ball } = REACH[event.pointerType] ?? REACH.mouse!;
     const reach = { knob: knob / stage.scale, ball: ball / stage.scale };
+    stage.loupe.classList.toggle("wanted", event.pointerType === "touch");
     store.change(tool().press, event.pointerId, pointOf(event), reach);
   });
   on(canvas, "pointermove", (event: PointerEvent) => store.change(tool().drag, event.pointerId, pointOf(event)));
@@ -68,8 +69,16 @@ export function listen(stage: Stage, around: EventTarget, store: Store<State>, s
   on(around, "keydown", (event: KeyboardEvent) => {
     const action = keyAction(event);
     if (!action || store.state.sheet || event.defaultPrevented || isTyped(event, action)) return;
+    const [target] = event.composedPath();
+    const isInPanel = target instanceof Element && target.closest("[role=tabpanel]") !== null;
     if (act(action, event.repeat)) event.preventDefault();
+    // What had the focus goes with its panel.
+    if (action.kind === "panel" && isInPanel) requestAnimationFrame(focusTab);
   });
+
+  function focusTab(): void {
+    around.querySelector<HTMLElement>("[role=tab][aria-selected=true]")?.focus();
+  }
 
   function act(action: KeyAction, isRepeated: boolean): boolean {
     switch (action.kind) {

@@ -1,14 +1,17 @@
 // The scene on its canvas: paints a state by the wasm, at the resolution of the screen.
 
-import { fault, guess, solutions } from "../core/derived/placing.ts";
 import { introPaths, introShown } from "../core/derived/home.ts";
-import { isHidden } from "../core/derived/hidden.ts";
+import { isHidden, shownPanel } from "../core/derived/hidden.ts";
+import { hints, shownGuess, shownLayers } from "../core/derived/imagined.ts";
+import { fault, solutions } from "../core/derived/placing.ts";
 import { isDark } from "../core/derived/looks.ts";
 import { ended, lastStep, rollouts } from "../core/derived/run.ts";
 import { isSettled, making, selectedBody } from "../core/change/make.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
-import { paintKnobs } from "./knobs.ts";
 import { mapPicture, outcomesPicture, paint, paintMaking, problemsOf } from "../simulator.ts";
+import { paintKnobs } from "./knobs.ts";
+import { magnify } from "./loupe.ts";
+import { heldPoint } from "./tools.ts";
 import type { View } from "../pkg/page/pathlight.js";
 import type { State } from "../core/state.ts";
 
@@ -20,6 +23,8 @@ const LIVE = ["base"] as const;
 
 export class Stage {
   readonly canvas = document.createElement("canvas");
+  /** What a finger covers while it drags. */
+  readonly loupe = document.createElement("canvas");
   /** CSS px per px of the scene. */
   scale = 1;
   #context = this.canvas.getContext("2d")!;
@@ -44,13 +49,14 @@ export class Stage {
 
   /** Paints a state, unless all that is seen of it has been painted. */
   paint(state: State): void {
-    const { puzzle, run, placement, answers, route, check, make, text, intro } = state;
-    const seen = [puzzle, run, placement, answers, route, check, make, text, intro, state.kept, state.device];
+    const { puzzle, run, placement, answers, route, check, make, sketch, text, intro } = state;
+    const seen = [puzzle, run, placement, answers, route, check, make, sketch, text, intro, state.kept, state.device];
     if (seen.every((part, index) => part === this.#painted[index])) return;
     this.#painted = seen;
     if (isMade(state)) return this.#paintMaking(state);
     const view = viewOf(state, KNOB / this.scale);
     paint(this.#context, puzzle, run?.balls ?? [], view, pictures(state));
+    magnify(this.loupe, this.canvas, heldPoint(state));
   }
 
   #paintMaking(state: State): void {
@@ -75,27 +81,32 @@ export class Stage {
 }
 
 /** Is the scene shown as it is being made? */
-function isMade({ route, run }: State): boolean {
-  return route.panel === "make" && run === null;
+function isMade(state: State): boolean {
+  return shownPanel(state) === "make" && state.run === null;
 }
 
 function viewOf(state: State, knob: number): View {
   const { run, placement, text } = state;
   const [first] = rollouts(state);
   const isOver = ended(state);
-  const imagined = guess(state);
+  const isPredicted = shownPanel(state) === "predict";
+  const imagined = shownGuess(state);
   const show = introShown(state) ? introPaths(state) : null;
   return {
     step: run?.step ?? 0,
     ball: run ? null : (placement.ball ?? show?.imagined?.of ?? null),
     valid: fault(state) === null,
     knob: show ? 0 : knob,
-    hints: show?.hints ?? [],
+    hints: show ? show.hints : hints(state),
     whole: isOver && run !== null && lastStep(state) > 0,
     opacity: MAP_OPACITY,
     dark: isDark(state),
+    sketch: isPredicted ? state.sketch.line.map(([x, y]) => [x, y]) : [],
     imagined: show ? show.imagined : imagined && { of: imagined.of, ...imagined.imagined },
-    approach: isOver && first?.ending.longest_touch === 0 ? first.nearest : null,
+    approach:
+      isOver && (show || run!.round !== null) && !isPredicted && first?.ending.longest_touch === 0
+        ? first.nearest
+        : null,
     spark: first?.contact ?? null,
     names: run && run.balls.length > 1 ? [text.play.you, text.play.model] : [],
   };
@@ -103,7 +114,7 @@ function viewOf(state: State, knob: number): View {
 
 function pictures(state: State): HTMLCanvasElement[] {
   const { maps } = state.answers;
-  const chosen = state.route.layers;
+  const chosen = shownLayers(state);
   const layers = isMade(state) && state.kept.live && !chosen.length && !state.check ? LIVE : chosen;
   const dark = isDark(state);
   if (isHidden(state, "model")) return [];

@@ -1,7 +1,9 @@
 // What pointer, wheel and keys do in the scene: place the ball, unless the panel has another tool.
 
+import { shownPanel } from "../core/derived/hidden.ts";
 import * as ball from "../core/change/placement.ts";
 import * as bodies from "../core/change/make.ts";
+import { cancelSketch, dragSketch, nudgeSketch, pressSketch, releaseSketch } from "../core/change/sketch.ts";
 import { fits } from "../simulator.ts";
 import { makingKey } from "./keys.ts";
 import type { KeyFacts } from "./keys.ts";
@@ -28,6 +30,18 @@ export interface Tool {
 
 const BALL: Tool = { ...ball, holds: ({ placement }) => placement.ball !== null };
 
+/** Draws the path of the green object; off it, places the ball. */
+const SKETCH: Tool = {
+  press: pressSketch,
+  drag: dragSketch,
+  release: releaseSketch,
+  cancel: cancelSketch,
+  nudge: nudgeSketch,
+  undo: ball.undo,
+  redo: ball.redo,
+  holds: () => true,
+};
+
 const BODIES: Tool = {
   ...bodies,
   holds: () => true,
@@ -50,6 +64,13 @@ const BODIES: Tool = {
   },
 };
 
-export function toolOf({ route }: State): Tool {
-  return route.panel === "make" ? BODIES : BALL;
+export function toolOf(state: State): Tool {
+  const panel = shownPanel(state);
+  return panel === "make" ? BODIES : panel === "predict" ? SKETCH : BALL;
+}
+
+/** What a pointer holds: a finger covers it. */
+export function heldPoint({ placement: { drag, ball }, sketch }: State): Point | null {
+  if (sketch.drawing) return sketch.line.at(-1)!;
+  return drag && ball && (drag.grip === "rim" ? [ball[0] + ball[2], ball[1]] : [ball[0], ball[1]]);
 }

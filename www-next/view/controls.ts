@@ -3,11 +3,13 @@
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { takeNextStep } from "../actions.ts";
+import { canRun } from "../core/change/sketch.ts";
 import { isSettled } from "../core/change/make.ts";
 import { toggleIntro } from "../core/change/home.ts";
 import { FIRST_RADIUS, resize } from "../core/change/placement.ts";
 import { SPEEDS, play, seek, setSpeed, togglePlaying } from "../core/change/run.ts";
 import { attemptLimitReached, nextStep } from "../core/derived/duel.ts";
+import { shownPanel } from "../core/derived/hidden.ts";
 import { introShown } from "../core/derived/home.ts";
 import { fault } from "../core/derived/placing.ts";
 import { ended, lastStep } from "../core/derived/run.ts";
@@ -21,15 +23,16 @@ export function controls(app: App): View {
   const { store } = app;
   const { state } = store;
   const step = nextStep(state);
-  const canDrop = state.placement.ball !== null && fault(state) === null && !attemptLimitReached(state);
-  return html`<button
-      class="step ${step}"
-      aria-disabled=${step === "drop" ? !canDrop : step === "try" && problemsHere(state).length > 0}
-      @click=${clicked}
-    >
+  const { ball, dropped } = state.placement;
+  const canDrop = ball !== null && fault(state) === null && !attemptLimitReached(state) && !dropped;
+  const isIdle =
+    (step === "drop" && !canDrop) ||
+    (step === "run" && !canRun(state)) ||
+    (step === "try" && problemsHere(state).length > 0);
+  return html`<button class="step ${step}" aria-disabled=${isIdle} @click=${clicked}>
       ${state.text.play.step[step]}
     </button>
-    ${introShown(state) ? animation(app) : state.run ? playback(app) : state.route.panel === "make" ? watch(app) : radius(app)}`;
+    ${introShown(state) ? animation(app) : state.run ? playback(app) : beside(app)}`;
 
   // The second click of a double click must not undo what the first has done.
   function clicked({ detail }: MouseEvent): void {
@@ -54,6 +57,11 @@ function animation({ store }: App): View {
   return html`<button class="plain" @click=${() => store.change(toggleIntro)}>
     ${intro!.playing ? text.home.pause : text.home.play}
   </button>`;
+}
+
+function beside(app: App): View {
+  const panel = shownPanel(app.store.state);
+  return panel === "make" ? watch(app) : panel === "imagine" ? nothing : radius(app);
 }
 
 function radius({ store }: App): View {

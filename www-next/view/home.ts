@@ -10,7 +10,7 @@ import { isDark } from "../core/derived/looks.ts";
 import { taskOf } from "../core/derived/next.ts";
 import { goal } from "../core/derived/placing.ts";
 import { writeAddress } from "../effects/address.ts";
-import { openProgress, saveProgress } from "../effects/home.ts";
+import { openFile, saveAttempts } from "../effects/files.ts";
 import { PAGES } from "../effects/old-links.ts";
 import { START } from "../core/change/route.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
@@ -118,13 +118,13 @@ function imagined(path: readonly number[]): View {
 function progressMenu({ store }: App): View {
   const { text } = store.state;
   const made = progress(store.state);
-  return html`<details class="progress" @toggle=${askToKeep}>
+  return html`<details class="progress">
     <summary>${made.attempts ? text.home.soFar(made) : text.home.progress}</summary>
     <p class="quiet">${text.home.keeps}</p>
     <p class="row">
       ${
         made.attempts
-          ? html`<button @click=${() => saveProgress(store)}>${text.home.save}</button>
+          ? html`<button @click=${() => saveAttempts(store.state)}>${text.home.save}</button>
               <button @click=${() => store.change(openSheet, "forget")}>${text.home.forget}</button>`
           : nothing
       }
@@ -135,16 +135,11 @@ function progressMenu({ store }: App): View {
     </p>
   </details>`;
 
-  /** Whoever looks here cares: the browser is asked not to clear it away. */
-  function askToKeep({ target }: Event): void {
-    if ((target as HTMLDetailsElement).open) void navigator.storage?.persist?.();
-  }
-
   function chosen({ target }: Event): void {
     const input = target as HTMLInputElement;
     const file = input.files?.[0];
     input.value = "";
-    if (file) void openProgress(store, file);
+    if (file) void openFile(store, file);
   }
 }
 

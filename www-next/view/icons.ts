@@ -9,6 +9,8 @@ const ICONS = {
   next: svg`<path d="m8.5 5 7 7-7 7" class="line"/>`,
   menu: svg`<path d="M4 7h16M4 12h16M4 17h16" class="line"/>`,
   share: svg`<path d="M12 15V4M8 7.5 12 3.5l4 4M6 11H4.5v9.5h15V11H18" class="line"/>`,
+  tour: svg`<path d="M8 5v14l11-7z"/>`,
+  stop: svg`<path d="M7 5h3.5v14H7zM13.5 5H17v14h-3.5z"/>`,
   replay: svg`<path d="M5 12a7 7 0 1 0 2.5-5.4M5 4v4h4" class="line"/>`,
 };
 

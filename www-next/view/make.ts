@@ -24,6 +24,7 @@ import {
 } from "../core/change/make.ts";
 import { setNotice } from "../core/change/settings.ts";
 import { SIZES, circleOf, degreesOf, namedOf, namedProblem, roleOf, sizeOf } from "../core/derived/bodies.ts";
+import { shownPanel } from "../core/derived/hidden.ts";
 import { readPuzzles, savePuzzle } from "../effects/making.ts";
 import { SCENE_LIMITS, SCENE_SIZE } from "../pkg/constants.ts";
 import { fits, openPuzzle, problemsOf } from "../simulator.ts";
@@ -64,7 +65,7 @@ export function problem({ store }: App): View {
 
 /** What is wrong with the scene that is made, while it is seen. */
 export function problemsHere(state: State): readonly SceneProblem[] {
-  if (state.route.panel !== "make") return [];
+  if (shownPanel(state) !== "make") return [];
   const { scene, selected } = making(state);
   // The body that the person has in hand is the one that is in the way of others.
   const turned = problemsOf(scene).map((one) =>

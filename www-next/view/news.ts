@@ -6,8 +6,12 @@ import { show } from "../core/change/run.ts";
 import { searched } from "../core/derived/check.ts";
 import { introMiss, introPhase, introShown } from "../core/derived/home.ts";
 import { attempts, attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
+import { shownPanel } from "../core/derived/hidden.ts";
+import { favourite } from "../core/derived/imagined.ts";
 import { fault, goal } from "../core/derived/placing.ts";
+import { prediction } from "../core/derived/prediction.ts";
 import { ended } from "../core/derived/run.ts";
+import { stepWords } from "./imagine.ts";
 import { madeInWords, problemsHere } from "./make.ts";
 import type { Verdict } from "../core/derived/duel.ts";
 import type { State } from "../core/state.ts";
@@ -15,6 +19,12 @@ import type { App, View } from "./view.ts";
 
 export function news(app: App): View {
   const { state } = app.store;
+  const found = result(state);
+  if (found)
+    return html`<div class="verdict">
+      <p class="outcome">${found[0]}</p>
+      <p>${found[1]}</p>
+    </div>`;
   const told = verdict(state);
   if (!told) return html`<p class="hint">${hint(state)}</p>`;
   const isWon = told.outcome === "won" || (told.outcome === "solved" && state.route.challenge !== null);
@@ -31,32 +41,50 @@ export function news(app: App): View {
 
 /** The same for a screen reader, once nothing moves: it would never come to an end. */
 export function announcement(state: State): string {
-  if (state.placement.drag || state.make?.drag || state.run?.playing || state.check?.seeking || introShown(state))
-    return "";
-  if (state.route.panel === "make" && !state.run && !searched(state)) return madeInWords(state) || hint(state);
+  const { placement, sketch, make, run, check } = state;
+  if (placement.drag || sketch.drawing || make?.drag || run?.playing || check?.seeking || introShown(state)) return "";
+  const panel = shownPanel(state);
+  if (panel === "make" && !run && !searched(state)) return madeInWords(state) || hint(state);
+  const found = result(state);
+  if (found) return found.join(" ");
+  if (panel === "imagine") return stepWords(state);
   const told = verdict(state);
   return told ? [state.text.play.verdict(told), ...details(state, told)].join(" ") : hint(state);
 }
 
 /** The scene for people who cannot see it. */
-export function description({ puzzle, placement, text, ...state }: State): string {
-  const [object, target] = goal({ puzzle, placement, text, ...state });
+export function description(state: State): string {
+  const { puzzle, placement, text } = state;
+  const [object, target] = goal(state);
   const others = puzzle.scene.bodies.filter((body) => body !== object && body !== target);
-  const first = state.route.panel === "make" ? text.make.hint : text.play.placeFirst;
+  const first = shownPanel(state) === "make" ? text.make.hint : text.play.placeFirst;
   const where = placement.ball ? text.puzzle.ballAt(...placement.ball) : first;
   return [text.puzzle.goal(object, target), text.puzzle.scene(object, target, others), where].join(" ");
+}
+
+/** What came of a prediction, or of the model's favourite at the end of its walkthrough. */
+function result(state: State): [outcome: string, details: string] | null {
+  const { text } = state;
+  const predicted = prediction(state);
+  if (predicted) return [text.predict.result(predicted.you, predicted.model), text.predict.measured];
+  const ran = favourite(state);
+  return ran && [text.imagine.ended(ran.facts.ending.solved, ran.chance), text.imagine.off(ran.off, ran.radius)];
 }
 
 function hint(state: State): string {
   const { text, puzzle, placement, route, run } = state;
   if (introShown(state)) return caption(state);
+  const panel = shownPanel(state);
   const wrong = fault(state);
   const looked = searched(state);
   if (run) return ended(state) ? "" : text.play.running;
   if (looked) return text.check.found(looked);
-  if (route.panel === "make") return problemsHere(state).length ? text.make.broken : text.make.hint;
+  if (panel === "make") return problemsHere(state).length ? text.make.broken : text.make.hint;
   if (wrong) return text.puzzle.fault(wrong, puzzle.scene.bodies);
   if (attemptLimitReached(state)) return text.play.full;
+  if (placement.dropped) return text.play.choosing;
+  if (panel === "predict") return state.sketch.line.length > 1 ? text.predict.drawn : text.predict.draw;
+  if (panel === "imagine" && !placement.ball) return "";
   if (placement.ball) return text.play.ready;
   return route.challenge && attempts(state).length === 0 ? text.share.challenge(route.challenge) : text.play.placeFirst;
 }

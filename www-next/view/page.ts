@@ -1,9 +1,11 @@
-// The page as a whole: header, notice, the scene with its controls and verdict; beside it panels, or what to begin with.
+// The page as a whole: header, notice, the scene with its controls and verdict; beside it panels, or what to begin
+// with.
 
 import { html, nothing } from "lit-html";
 import { present } from "../core/change/route.ts";
 import { setNotice } from "../core/change/settings.ts";
 import { difficulty, introShown, isHome, taskOfDay } from "../core/derived/home.ts";
+import { shownPanel } from "../core/derived/hidden.ts";
 import { goal } from "../core/derived/placing.ts";
 import { benchmark, rateOf } from "../simulator.ts";
 import { controls } from "./controls.ts";
@@ -22,9 +24,9 @@ export function page(app: App): View {
   const isPresented = route.view === "presentation" && !home;
   return html`<div class="app ${isPresented ? "presentation" : ""}">
     ${app.embedded || isPresented ? nothing : header(app)} ${notice(app)}
-    <main class="puzzle ${home ? "home" : ""}">
+    <main class="puzzle ${home ? "home" : shownPanel(state)}">
       <div class="goal">${home ? headline(app) : task(app)}</div>
-      <section class="scene" aria-label=${text.page.scene}>${app.canvas}${problem(app)}</section>
+      <section class="scene" aria-label=${text.page.scene}>${app.canvas}${app.loupe}${problem(app)}</section>
       <section class="controls">${controls(app)}</section>
       <section class="news">${news(app)}</section>
       <section class="side">${introShown(state) ? picks(app) : isPresented ? leave(app) : panels(app)}</section>

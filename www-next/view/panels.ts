@@ -3,15 +3,21 @@
 import { html, nothing } from "lit-html";
 import { openPanel } from "../core/change/route.ts";
 import { shownPanel, shownPanels } from "../core/derived/hidden.ts";
+import { data } from "./data.ts";
+import { imagine } from "./imagine.ts";
 import { make } from "./make.ts";
 import { play } from "./play.ts";
+import { predict } from "./predict.ts";
 import type { Panel } from "../core/change/route.ts";
 import type { Text } from "../text/text.ts";
 import type { App, View } from "./view.ts";
 
 const VIEWS: Record<Panel, { tab(text: Text): string; view(app: App): View }> = {
   play: { tab: (text) => text.play.tab, view: play },
+  imagine: { tab: (text) => text.imagine.tab, view: imagine },
+  predict: { tab: (text) => text.predict.tab, view: predict },
   make: { tab: (text) => text.make.tab, view: make },
+  data: { tab: (text) => text.data.tab, view: data },
 };
 
 export function panels(app: App): View {

@@ -1,15 +1,11 @@
-// The panel Play: the duel so far, the model and its maps, and the check.
+// The panel Play: the duel so far, the model, and the check.
 
 import { html, nothing } from "lit-html";
 import { choose } from "../core/change/kept.ts";
-import { startModel } from "../core/change/model.ts";
-import { toggleLayer } from "../core/change/route.ts";
 import { show } from "../core/change/run.ts";
 import { missesInARow, modelSolvedAt, rounds } from "../core/derived/duel.ts";
-import { isDark } from "../core/derived/looks.ts";
 import { isAlone, isHidden } from "../core/derived/hidden.ts";
-import { MAPS } from "../pkg/constants.ts";
-import { mapPicture } from "../simulator.ts";
+import { badge } from "./badge.ts";
 import { check } from "./check.ts";
 import { checkbox } from "./widgets.ts";
 import type { Round } from "../core/derived/duel.ts";
@@ -20,7 +16,7 @@ const MISSES = 3;
 
 export function play(app: App): View {
   if (isHidden(app.store.state, "model")) return duel(app);
-  return html`${duel(app)} ${model(app)} ${switches(app)} ${offered(app)} ${maps(app)}`;
+  return html`${duel(app)} ${badge(app)} ${switches(app)} ${offered(app)}`;
 }
 
 function duel({ store }: App): View {
@@ -63,29 +59,6 @@ function duel({ store }: App): View {
   }
 }
 
-/** Whether the model is there, and what it knows of this puzzle. */
-function model({ store }: App): View {
-  const { model, answers, puzzle, text } = store.state;
-  switch (model.kind) {
-    case "off":
-      return nothing;
-    case "loading":
-      return html`<p class="quiet">
-        ${text.page.loading(model.arrived)} <progress .value=${model.arrived} aria-hidden="true"></progress>
-      </p>`;
-    case "failed":
-      return html`<p class="trouble">
-        ${text.page.failure(model.failure)}
-        <button title=${model.failure.reason} @click=${() => store.change(startModel)}>${text.page.retry}</button>
-      </p>`;
-    case "ready":
-      if (answers.practised === null) return nothing;
-      return answers.practised
-        ? html`<p class="practised">${text.play.practised}</p>`
-        : html`<p class="quiet">${puzzle.about.id === null ? text.play.unknown : text.play.unseen}</p>`;
-  }
-}
-
 function switches({ store }: App): View {
   const { kept, route, text } = store.state;
   return html`<div class="switches">
@@ -98,20 +71,4 @@ function offered(app: App): View {
   const { state } = app.store;
   if (!state.check && missesInARow(state) < MISSES) return nothing;
   return html`${state.check ? nothing : html`<p>${state.text.check.offer}</p>`} ${check(app)}`;
-}
-
-function maps({ store }: App): View {
-  const { answers, route, text } = store.state;
-  const made = answers.maps;
-  if (!made) return nothing;
-  return html`<h2>${text.play.maps}</h2>
-    <div class="maps">
-      ${MAPS.map((name) => {
-        const values = made[name];
-        if (!values) return nothing;
-        return html`<button aria-pressed=${route.layers.includes(name)} @click=${() => store.change(toggleLayer, name)}>
-          ${mapPicture(name, values, isDark(store.state))}<span>${text.play.map[name]}</span>
-        </button>`;
-      })}
-    </div>`;
 }

@@ -7,7 +7,7 @@ import { HIDEABLE } from "../core/change/route.ts";
 import { PRESETS, forget, openSheet, setLesson, setShare, toggleHidden, usePreset } from "../core/change/sheet.ts";
 import { playerSolvedAt } from "../core/derived/duel.ts";
 import { canShare, copy, lessonAddress, share, shareAddress, shareText } from "../effects/sharing.ts";
-import { download } from "../effects/home.ts";
+import { download } from "../effects/files.ts";
 import type { Sheet } from "../core/change/sheet.ts";
 import type { App, View } from "./view.ts";
 

@@ -10,6 +10,8 @@ export type View = TemplateResult | typeof nothing;
 export interface App {
   readonly store: Store<State>;
   readonly canvas: HTMLCanvasElement;
+  /** Over it, while a finger drags. */
+  readonly loupe: HTMLCanvasElement;
   /** In a page of somebody else. */
   readonly embedded: boolean;
 }

@@ -1,5 +1,5 @@
-// The home page: what has been recorded for it, and the show in its scene. Futures fan out, the model picks one, and its
-// ball falls. The show ends as soon as the person places a ball: from then on it is their puzzle.
+// The home page: what has been recorded for it, and the show in its scene. Futures fan out, the model picks one, and
+// its ball falls. The show ends as soon as the person places a ball: from then on it is their puzzle.
 
 import { introShown, isHome } from "../derived/home.ts";
 import { advance, play } from "./run.ts";

@@ -1,8 +1,7 @@
 // What the browser keeps, as one document: attempts by puzzle, and what the person has chosen.
 
-import { sameBall } from "../puzzle.ts";
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
-import type { AttemptLine, CustomScene } from "../../pkg/page/pathlight.js";
+import type { AttemptLine, CustomScene, Setup } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
 export type Language = "en" | "de";
@@ -11,8 +10,8 @@ export type Theme = "light" | "dark";
 export interface Kept extends Choices {
   readonly version: 1;
   /** The player's attempts by the key of their puzzle, in order. */
-  readonly attempts: Readonly<Record<string, readonly AttemptLine[]>>;
-  /** When all before was forgotten last, ms since 1970. */
+  readonly attempts: Attempts;
+  /** When all before was forgotten last, ms since 1970: it does not come back from another tab. */
   readonly forgotten: number;
   /** The custom puzzles by their key. */
   readonly puzzles: Readonly<Record<string, KeptPuzzle>>;
@@ -26,11 +25,15 @@ export interface KeptPuzzle {
   readonly changed: number;
 }
 
+export type Attempts = Readonly<Record<string, readonly AttemptLine[]>>;
+
 export interface Choices {
   /** Show the model's guess while the ball is placed. */
   readonly guess: boolean;
   /** Drop without the model. */
   readonly alone: boolean;
+  /** Which model plays. */
+  readonly model: Setup;
   /** Show what the model imagines of the scene while it is changed. */
   readonly live: boolean;
   /** Null: as the device has it. */
@@ -46,6 +49,7 @@ export const NOTHING_KEPT: Kept = {
   guess: true,
   alone: false,
   live: true,
+  model: "within",
   language: null,
   theme: null,
 };
@@ -66,35 +70,43 @@ export function keepPuzzles(
 
 /** Another tab has kept something. */
 export function mergeKept(state: State, theirs: Kept): State {
-  const kept = merged(theirs, state.kept);
-  // The round that is shown may have another number now.
+  return withKept(state, merged(theirs, state.kept));
+}
+
+/** Attempts of a file join those that are here. */
+export function openAttempts(state: State, attempts: Attempts): State {
+  return withKept(state, merged(state.kept, { ...state.kept, attempts }));
+}
+
+export function attemptCount(attempts: Attempts): number {
+  return Object.values(attempts).reduce((sum, lines) => sum + lines.length, 0);
+}
+
+/** The round that is shown may have another number then. */
+function withKept(state: State, kept: Kept): State {
   const moved = kept.attempts[state.puzzle.key]?.length !== state.kept.attempts[state.puzzle.key]?.length;
   return { ...state, kept, run: moved ? null : state.run };
 }
 
-/** Attempts from a file. */
-export function addAttempts(state: State, attempts: Kept["attempts"]): State {
-  return mergeKept(state, merged(state.kept, { ...state.kept, attempts }));
-}
-
 /** The first history, then what only the second knows; choices are those of the first. What was forgotten stays so. */
 export function merged(one: Kept, other: Kept): Kept {
-  if (one.forgotten !== other.forgotten) {
-    const { attempts, forgotten } = one.forgotten > other.forgotten ? one : other;
-    return { ...one, attempts, forgotten };
-  }
-  const attempts = { ...one.attempts };
-  for (const [key, lines] of Object.entries(other.attempts)) attempts[key] = mergedLines(attempts[key] ?? [], lines);
   const puzzles = { ...one.puzzles };
   for (const [key, puzzle] of Object.entries(other.puzzles))
     if (!(puzzles[key] && puzzles[key].changed >= puzzle.changed)) puzzles[key] = puzzle;
+  if (one.forgotten !== other.forgotten) {
+    const { attempts, forgotten } = one.forgotten > other.forgotten ? one : other;
+    return { ...one, attempts, forgotten, puzzles };
+  }
+  const attempts = { ...one.attempts };
+  for (const [key, lines] of Object.entries(other.attempts)) attempts[key] = mergedLines(attempts[key] ?? [], lines);
   return { ...one, attempts, puzzles };
 }
 
 /** No attempt is lost, but beyond the limit; then those that solved come before others. */
 function mergedLines(one: readonly AttemptLine[], other: readonly AttemptLine[]): readonly AttemptLine[] {
-  const added = other.filter((line) => !one.some(({ ball }) => sameBall(ball, line.ball)));
-  const all = [...one, ...added];
+  const balls = new Set<string>();
+  // The first of each ball: a file may have it twice.
+  const all = [...one, ...other].filter(({ ball }) => balls.size < balls.add(String(ball)).size);
   if (all.length <= ATTEMPT_LIMIT) return all;
   let spare = all.length - ATTEMPT_LIMIT;
   const isDropped = all.toReversed().map((line) => line.status !== "solved" && spare > 0 && spare-- > 0);

@@ -1,6 +1,6 @@
 // Making a puzzle: the scene as it is being changed, with undo and redo. A scene that may be played becomes the puzzle
-// once a gesture has ended (effects/making.ts). Until something is changed there is nothing here, and the puzzle is what
-// is made.
+// once a gesture has ended (effects/making.ts). Until something is changed there is nothing here, and the puzzle is
+// what is made.
 
 import {
   SIZES,

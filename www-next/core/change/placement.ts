@@ -16,6 +16,8 @@ export interface Placement {
   /** What moved the ball last. Moves of one gesture are undone together. */
   readonly gesture: string | null;
   readonly drag: Drag | null;
+  /** It has been dropped, and waits for the model's ball. */
+  readonly dropped: boolean;
 }
 
 /** A ball held by a pointer: by its centre, at an offset from the pointer, or by the knob on its rim. */
@@ -28,7 +30,7 @@ export interface Drag {
   readonly before: Pick<State, "placement" | "run">;
 }
 
-export const NO_BALL: Placement = { ball: null, past: [], future: [], gesture: null, drag: null };
+export const NO_BALL: Placement = { ball: null, past: [], future: [], gesture: null, drag: null, dropped: false };
 export const FIRST_RADIUS = 12;
 /** Where the first key press places the ball. */
 export const FIRST_BALL: Ball = [SCENE_SIZE / 2, SCENE_SIZE - 40, FIRST_RADIUS];
@@ -107,7 +109,13 @@ export function cancel(state: State, pointer: number): State {
 
 /** Whatever touches the ball ends what is played. */
 export function placing(state: State, change: Partial<Placement>): State {
-  return { ...state, run: null, placement: { ...state.placement, ...change } };
+  const placement = { ...state.placement, dropped: false, ...change };
+  return leaveLastStep({ ...state, run: null, touring: false, placement });
+}
+
+/** The last step of the walkthrough is left by whoever goes back to the ball of their own. */
+export function leaveLastStep(state: State): State {
+  return state.route.step === "run" ? { ...state, route: { ...state.route, step: null } } : state;
 }
 
 /** Whoever still drags lets go: the pointer would take the ball back at once. */

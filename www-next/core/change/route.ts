@@ -2,13 +2,17 @@
 
 import { NO_ANSWERS } from "./model.ts";
 import { introOf } from "./home.ts";
+import { NO_SKETCH } from "./sketch.ts";
+import { arrived } from "./walkthrough.ts";
 import { NO_BALL, place } from "./placement.ts";
+import { shownLayers } from "../derived/imagined.ts";
 import type { Ball, MapName } from "../../pkg/page/pathlight.js";
+import type { Step } from "./walkthrough.ts";
 import type { Puzzle } from "../puzzle.ts";
 import type { State } from "../state.ts";
 
 /** The panels beside the scene, in the order of their tabs; view/panels.ts shows them. */
-export const PANELS = ["play", "make"] as const;
+export const PANELS = ["play", "imagine", "predict", "make", "data"] as const;
 export type Panel = (typeof PANELS)[number];
 
 /** What a lesson may leave out: the ways to other puzzles, the model's guess, the model altogether, a panel. */
@@ -30,6 +34,8 @@ export interface Route {
   /** The puzzles of a lesson, in order; the ways to other puzzles lead through them. */
   readonly lesson: readonly string[];
   readonly hide: readonly Hideable[];
+  /** The step of the walkthrough; null for all that the model imagines. */
+  readonly step: Step | null;
 }
 
 /** A route as a link has it, with the ball to place. */
@@ -42,6 +48,7 @@ export const START: Link = {
   scene: null,
   panel: "play",
   layers: [],
+  step: null,
   view: null,
   challenge: null,
   lesson: [],
@@ -51,28 +58,20 @@ export const START: Link = {
 
 /** Goes elsewhere within the open puzzle. A ball that the link does not name stays where it is. */
 export function routed(state: State, { ball, ...route }: Link): State {
-  const there = { ...state, route, notice: null, sheet: null };
+  const there = arrived({ ...state, route, notice: null, sheet: null });
   return ball ? place(there, ball, null) : there;
 }
 
 /** Goes to another puzzle, which has been opened. */
 export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): State {
-  const there = {
-    ...state,
-    route,
-    puzzle,
-    placement: NO_BALL,
-    run: null,
-    answers: NO_ANSWERS,
-    check: null,
-    make: null,
-  };
+  const first = { placement: NO_BALL, run: null, answers: NO_ANSWERS, check: null, sketch: NO_SKETCH, make: null };
+  const there = { ...state, route, puzzle, ...first };
   const home = { intro: introOf(route, puzzle), sheet: null, notice: null };
   return { ...(ball ? place(there, ball, null) : there), ...home };
 }
 
 export function openPanel(state: State, panel: Panel): State {
-  return { ...state, route: { ...state.route, panel } };
+  return arrived({ ...state, touring: false, route: { ...state.route, panel } });
 }
 
 /** Begins the presentation, or leaves it. */
@@ -80,9 +79,10 @@ export function present(state: State, view: Route["view"]): State {
   return { ...state, route: { ...state.route, view }, sheet: null };
 }
 
-/** Lays a map over the scene, or takes it away. */
+/** Lays a map over the scene, or takes it away; those of a step of the walkthrough are where it begins. */
 export function toggleLayer(state: State, name: MapName): State {
-  const { layers } = state.route;
+  const layers = shownLayers(state);
   const others = layers.filter((layer) => layer !== name);
-  return { ...state, route: { ...state.route, layers: others.length < layers.length ? others : [...others, name] } };
+  const now = others.length < layers.length ? others : [...others, name];
+  return arrived({ ...state, touring: false, route: { ...state.route, layers: now, step: null } });
 }

@@ -1,10 +1,10 @@
 // What the scene plays: a duel, in which the player's ball and the model's run over each other, and playback of it.
 
-import { attempts, attemptLimitReached, modelSolvedAt, playerSolvedAt } from "../derived/duel.ts";
+import { attempts, attemptLimitReached, awaitsModel, modelSolvedAt, playerSolvedAt } from "../derived/duel.ts";
 import { isAlone } from "../derived/hidden.ts";
 import { lastStep } from "../derived/run.ts";
 import { sameBall } from "../puzzle.ts";
-import { placing } from "./placement.ts";
+import { leaveLastStep } from "./placement.ts";
 import { STEPS_PER_SECOND } from "../../pkg/constants.ts";
 import type { ShownRollout } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
@@ -23,20 +23,33 @@ export interface Run {
   readonly fresh: boolean;
 }
 
-/** The player's ball and the model's of the same number run. A ball that was tried before is shown again. */
-export function drop(state: State): State {
+/**
+ * The player's ball and the model's of the same number run, for which it waits; `alone`, only the player's. A ball that
+ * was tried before is shown again.
+ */
+export function drop(state: State, alone = false): State {
   const { ball } = state.placement;
   if (!ball || state.run || state.puzzle.whyInvalid(ball)) return state;
   const made = attempts(state);
   const before = made.findIndex((line) => sameBall(line.ball, ball));
-  if (before >= 0) return show(state, before + 1);
+  if (before >= 0) return alone ? play(state, [{ ball, of_model: false }], before + 1, false) : show(state, before + 1);
   if (attemptLimitReached(state)) return state;
+  if (!alone && awaitsModel(state)) return { ...state, placement: { ...state.placement, drag: null, dropped: true } };
   const { line } = state.puzzle.rollout(ball);
   const kept = { ...state.kept, attempts: { ...state.kept.attempts, [state.puzzle.key]: [...made, line] } };
-  return showRound({ ...state, kept }, made.length + 1, false, true);
+  const dropped = { ...state, kept };
+  if (alone) return play(dropped, [{ ball, of_model: false }], made.length + 1, true);
+  return showRound(dropped, made.length + 1, false, true);
 }
 
-/** Shows a round of the list again; `unveiled` with the model's ball also if the player has not solved the puzzle yet. */
+/** Goes on with a drop that has waited, if what it waits for is there or will not come. */
+export function goOn(state: State): State {
+  return state.placement.dropped ? drop(state) : state;
+}
+
+/**
+ * Shows a round of the list again; `unveiled` with the model's ball also if the player has not solved the puzzle yet.
+ */
 export function show(state: State, round: number, unveiled = false): State {
   return showRound(state, round, unveiled, false);
 }
@@ -46,7 +59,7 @@ function showRound(state: State, round: number, unveiled: boolean, fresh: boolea
   const model = isAlone(state) ? null : modelBall(state, round, unveiled, fresh);
   const balls = [player && { ball: player, of_model: false }, model && { ball: model, of_model: true }];
   return play(
-    state,
+    leaveLastStep(state),
     balls.filter((ball) => ball !== null),
     round,
     fresh,
@@ -64,15 +77,15 @@ function modelBall(state: State, round: number, unveiled: boolean, fresh: boolea
 /** Plays balls over each other, from the start; where motion is unwelcome, shows their end. */
 export function play(state: State, balls: readonly ShownRollout[], round: number | null, fresh: boolean): State {
   if (balls.length === 0) return state;
-  const rest = placing(state, { drag: null, gesture: null });
+  const placement = { ...state.placement, drag: null, gesture: null, dropped: false };
   const run: Run = { balls, round, step: 0, playing: true, fresh };
-  const started = { ...rest, run };
+  const started = { ...state, placement, run };
   return state.device.stillness ? seek(started, Infinity) : started;
 }
 
 /** Back to placing, with the ball where it was. */
 export function again(state: State): State {
-  return state.run ? { ...state, run: null } : state;
+  return state.run ? leaveLastStep({ ...state, run: null }) : state;
 }
 
 export function togglePlaying(state: State): State {

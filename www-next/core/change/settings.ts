@@ -24,10 +24,12 @@ export type Notice =
   | { readonly kind: "no_task"; readonly task: string }
   | { readonly kind: "unread_link"; readonly parts: readonly string[] }
   | ({ readonly kind: "bad_scene" | "bad_file" } & BadScene)
-  | { readonly kind: "storage_full" }
-  /** A file has been read: what was new in it, and its lines that are no valid attempts. */
-  | { readonly kind: "file_read"; readonly attempts: number; readonly unread: number }
-  | { readonly kind: "file_unread"; readonly name: string };
+  | { readonly kind: "storage_full" | "no_picture" }
+  /** A file of attempts is read, of which this share is done. */
+  | { readonly kind: "opening"; readonly share: number }
+  /** `added`: new here; `unread`: lines that are no attempts. */
+  | { readonly kind: "opened"; readonly added: number; readonly found: number; readonly unread: number }
+  | { readonly kind: "no_attempts"; readonly file: string };
 
 export function setDevice(state: State, device: Device): State {
   return { ...state, device };

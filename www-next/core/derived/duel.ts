@@ -2,7 +2,7 @@
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import { guess } from "./placing.ts";
-import { canGoOn, isAlone } from "./hidden.ts";
+import { canGoOn, isAlone, shownPanel } from "./hidden.ts";
 import { introShown } from "./home.ts";
 import { ended, rollouts } from "./run.ts";
 import { sameBall } from "../puzzle.ts";
@@ -39,7 +39,7 @@ export interface Round {
 }
 
 /** While a puzzle is made, it is tried, and one comes back to it. */
-export type Step = "start" | "drop" | "pause" | "play" | "again" | "next" | "try" | "make";
+export type Step = "start" | "drop" | "run" | "pause" | "play" | "again" | "back" | "next" | "try" | "make";
 
 export function attempts({ kept, puzzle }: State): readonly AttemptLine[] {
   return kept.attempts[puzzle.key] ?? [];
@@ -47,6 +47,12 @@ export function attempts({ kept, puzzle }: State): readonly AttemptLine[] {
 
 export function attemptLimitReached(state: State): boolean {
   return attempts(state).length >= ATTEMPT_LIMIT;
+}
+
+/** Is the model about to choose its ball of the next round? */
+export function awaitsModel(state: State): boolean {
+  const { model, answers } = state;
+  return !isAlone(state) && model.kind === "ready" && answers.turnUpTo <= attempts(state).length;
 }
 
 /** The attempts of which the outcome may be told: not of one that plays for the first time. */
@@ -113,12 +119,12 @@ export function missesInARow(state: State): number {
 /** What the large button does. */
 export function nextStep(state: State): Step {
   if (introShown(state)) return "start";
-  const isMaking = state.route.panel === "make";
-  if (!state.run) return isMaking ? "try" : "drop";
+  const panel = shownPanel(state);
+  if (!state.run) return panel === "make" ? "try" : panel === "predict" ? "run" : "drop";
   if (!ended(state)) return state.run.playing ? "pause" : "play";
-  if (isMaking) return "make";
-  const isSolved = state.run.round !== null && playerSolvedAt(state) !== null;
-  return isSolved && canGoOn(state) ? "next" : "again";
+  if (panel === "make") return "make";
+  if (state.run.round === null) return "back";
+  return playerSolvedAt(state) !== null && canGoOn(state) ? "next" : "again";
 }
 
 function numberOf(index: number): number | null {
@@ -126,7 +132,7 @@ function numberOf(index: number): number | null {
 }
 
 /** Of two paths x, y, x, y, … */
-function meanDistance(one: Float32Array, other: Float32Array): number {
+export function meanDistance(one: Float32Array, other: Float32Array): number {
   let sum = 0;
   for (let at = 0; at < one.length; at += 2) sum += Math.hypot(one[at]! - other[at]!, one[at + 1]! - other[at + 1]!);
   return sum / (one.length / 2);

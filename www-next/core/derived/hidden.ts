@@ -8,7 +8,7 @@ import type { State } from "../state.ts";
 export function isHidden(state: State, part: Hideable): boolean {
   const { challenge, hide } = state.route;
   if (hide.includes(part)) return true;
-  if (part === "guess" && isHidden(state, "model")) return true;
+  if ((part === "guess" || part === "imagine") && isHidden(state, "model")) return true;
   // Whoever is challenged plays alone, until they have solved it.
   return challenge !== null && part !== "play" && part !== "puzzles" && playerSolvedAt(state) === null;
 }

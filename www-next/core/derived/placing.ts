@@ -1,5 +1,7 @@
 // What follows from the ball being placed: whether it may lie there, and what the model imagines for it.
 
+import { atLastStep } from "../change/walkthrough.ts";
+import { isHidden, shownPanel } from "./hidden.ts";
 import { sameBall } from "../puzzle.ts";
 import type { Ball, Body, InvalidBall } from "../../pkg/page/pathlight.js";
 import type { Answers } from "../change/model.ts";
@@ -14,10 +16,18 @@ export function goal({ puzzle: { scene } }: State): [object: Body, target: Body]
   return [scene.bodies[scene.body1]!, scene.bodies[scene.body2]!];
 }
 
-/** The ball that the model is asked about: the one being placed, or the player's that runs. */
+/**
+ * The ball that the model is asked about: the one being placed, or the player's that runs; at the end of the
+ * walkthrough the model's.
+ */
 export function questioned(state: State): Ball | null {
-  if (state.run) return state.run.balls.find(({ of_model }) => !of_model)?.ball ?? null;
+  if (state.run) return state.run.balls.find(({ of_model }) => of_model === atLastStep(state))?.ball ?? null;
   return fault(state) ? null : state.placement.ball;
+}
+
+/** Has anybody a use for the answer? */
+export function wantsGuess(state: State): boolean {
+  return (state.kept.guess && !isHidden(state, "guess")) || shownPanel(state) === "predict" || atLastStep(state);
 }
 
 /** What the model imagines for that ball; while it is dragged, for where it was a moment ago. */

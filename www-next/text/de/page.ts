@@ -8,11 +8,19 @@ import type { Text } from "../text.ts";
 const { counted, percent } = formatsOf("de");
 
 const FAILURES: Record<Failure["code"], string> = {
-  offline: "Keine Verbindung. Du kannst weiterspielen; das Modell kommt, sobald du wieder online bist.",
-  missing: "Die Dateien des Modells fehlen auf diesem Server. Du kannst allein weiterspielen.",
-  damaged: "Die Datei des Modells kam beschädigt an. Du kannst allein weiterspielen.",
-  crashed: "Das Modell ist unerwartet stehen geblieben. Du kannst allein weiterspielen.",
-  broken: "Das Modell konnte nicht gestartet werden. Du kannst allein weiterspielen.",
+  offline: "Keine Verbindung. Es geht weiter, sobald du wieder online bist.",
+  unreachable:
+    "Der Server antwortet nicht. Versuch es später noch einmal; die Content-Security-Policy einer Seite muss ihn erlauben (connect-src).",
+  missing: "Eine Datei fehlt auf diesem Server. Wer ihn betreibt, muss alle Dateien von Pathlight dort ablegen.",
+  page: "Statt einer Datei kam eine Webseite. Musst du dich in diesem Netz erst anmelden? Sonst antwortet der Server falsch.",
+  damaged: "Eine Datei kam beschädigt an oder gehört zu einer anderen Version. Lade die Seite neu.",
+  forbidden:
+    "Diese Seite verbietet WebAssembly: Ihre Content-Security-Policy braucht 'wasm-unsafe-eval' in script-src.",
+  old: "Dieser Browser ist zu alt: Er muss WebAssembly mit SIMD können. Aktualisier ihn oder nimm einen anderen.",
+  worker:
+    "Diese Seite verbietet Worker: Ihre Content-Security-Policy braucht worker-src, ein Frame mit sandbox allow-same-origin.",
+  crashed: "Es ist unerwartet stehen geblieben. Lade es noch einmal.",
+  broken: "Es konnte nicht gestartet werden. Lade die Seite neu.",
 };
 
 export const page: Text["page"] = {
@@ -35,6 +43,7 @@ export const page: Text["page"] = {
 
   loading: (arrived) => `Das Modell lädt (${percent(arrived)}). Du kannst schon spielen.`,
   failure: (failure) => FAILURES[failure.code],
+  noModel: (failure) => `Du kannst weiterspielen, nur das Modell fehlt. ${FAILURES[failure.code]}`,
   retry: "Noch einmal laden",
   dismiss: "Schließen",
   notice: (notice) => {
@@ -49,13 +58,17 @@ export const page: Text["page"] = {
         return `Diese Datei wurde nicht geöffnet: ${notice.problem ? make.problem(notice.problem) : "Darin ist kein Rätsel von Pathlight."}`;
       case "storage_full":
         return "In diesem Browser ist kein Platz mehr: Was du jetzt spielst, ist vergessen, wenn du gehst.";
-      case "file_read":
+      case "no_picture":
+        return "Dieser Browser konnte das Bild nicht machen.";
+      case "opening":
+        return `Die Datei wird gelesen: ${percent(notice.share)}.`;
+      case "opened":
         return (
-          `Neu hier: ${counted(notice.attempts, "Kugel", "Kugeln")}.` +
-          (notice.unread ? ` Weggelassen: ${counted(notice.unread, "Zeile", "Zeilen")} ohne gültigen Versuch.` : "")
+          `${counted(notice.found, "Versuch", "Versuche")} in der Datei, ${notice.added === 1 ? "einer" : notice.added || "keiner"} davon neu.` +
+          (notice.unread ? ` ${counted(notice.unread, "Zeile ist", "Zeilen sind")} kein Versuch.` : "")
         );
-      case "file_unread":
-        return `In ${notice.name} stehen keine Versuche. Nimm eine Datei, die Pathlight gespeichert hat.`;
+      case "no_attempts":
+        return `${notice.file} ist keine Datei mit Versuchen aus Pathlight. Hier bleibt alles, wie es war.`;
     }
   },
 };

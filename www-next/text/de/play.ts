@@ -25,15 +25,18 @@ export const play: Text["play"] = {
   step: {
     start: "Spiel gegen sie",
     drop: "Fallen lassen",
+    run: "Laufen lassen",
     pause: "Pause",
     play: "Weiter",
     again: "Neuer Versuch",
+    back: "Du bist dran",
     next: "Nächstes Rätsel",
     try: "Spielen",
     make: "Weiterbauen",
   },
   placeFirst: "Klick oder tipp in die Szene, um deine rote Kugel zu setzen. Danach fasst niemand mehr etwas an.",
   ready: "Bereit. Lass sie fallen!",
+  choosing: "Das Modell wählt seine Kugel …",
   running: "Jetzt fasst niemand mehr etwas an.",
   full: `Du hast alle ${ATTEMPT_LIMIT} Kugeln dieses Rätsels verbraucht.`,
 
@@ -72,17 +75,4 @@ export const play: Text["play"] = {
   round: (round) => `Kugel ${round}: noch einmal zeigen`,
   guess: "Vermutung des Modells",
   alone: "Ohne das Modell spielen",
-
-  maps: "Was sich das Modell vorstellt",
-  map: {
-    base: "Wenn du nichts tust",
-    target: "Was Grün tun muss",
-    action: "Was Rot tun muss",
-    placement: "Wo Rot beginnt",
-    success: "Was gelingt",
-  },
-
-  practised: "Achtung: Genau dieses Rätsel hat das Modell geübt.",
-  unknown: "Dieses Rätsel ist neu für das Modell.",
-  unseen: "Das Modell kennt diese Art, aber nicht dieses Rätsel.",
 };

@@ -8,11 +8,18 @@ import { make } from "./make.ts";
 const { counted, percent } = formatsOf("en-GB");
 
 const FAILURES: Record<Failure["code"], string> = {
-  offline: "No connection. You can play on; the model comes when you are back.",
-  missing: "The model’s files were not found on this server. You can play on alone.",
-  damaged: "The model’s file arrived damaged. You can play on alone.",
-  crashed: "The model stopped unexpectedly. You can play on alone.",
-  broken: "The model could not be started. You can play on alone.",
+  offline: "No connection. It comes when you are back.",
+  unreachable:
+    "The server does not answer. Try again in a while; a page’s Content-Security-Policy has to allow it (connect-src).",
+  missing: "A file was not found on this server. Whoever runs it has to put all files of Pathlight there.",
+  page: "A web page came in place of a file. Does this network ask you to log in first? Else the server answers wrongly.",
+  damaged: "A file arrived damaged, or is of another version. Load the page again.",
+  forbidden: "This page forbids WebAssembly: its Content-Security-Policy needs 'wasm-unsafe-eval' in script-src.",
+  old: "This browser is too old: it needs WebAssembly with SIMD. Update it, or take another.",
+  worker:
+    "This page forbids workers: its Content-Security-Policy needs worker-src, and a sandboxed frame allow-same-origin.",
+  crashed: "It stopped unexpectedly. Load it again.",
+  broken: "It could not be started. Load the page again.",
 };
 
 export const page = {
@@ -34,7 +41,9 @@ export const page = {
   scene: "puzzle scene",
 
   loading: (arrived: number) => `The model is loading (${percent(arrived)}). You can play already.`,
+  /** What went wrong, and what helps. */
   failure: (failure: Failure) => FAILURES[failure.code],
+  noModel: (failure: Failure) => `You can play on, but the model is not here. ${FAILURES[failure.code]}`,
   retry: "Load it again",
   dismiss: "Close",
   notice: (notice: Notice) => {
@@ -49,13 +58,17 @@ export const page = {
         return `This file was not opened: ${notice.problem ? make.problem(notice.problem) : "it holds no puzzles of Pathlight."}`;
       case "storage_full":
         return "This browser has no room left: what you play now is forgotten when you leave.";
-      case "file_read":
+      case "no_picture":
+        return "This browser could not make the picture.";
+      case "opening":
+        return `The file is read: ${percent(notice.share)}.`;
+      case "opened":
         return (
-          `${counted(notice.attempts, "ball is", "balls are")} new here.` +
-          (notice.unread ? ` ${counted(notice.unread, "line", "lines")} without a valid attempt were left out.` : "")
+          `${counted(notice.found, "attempt", "attempts")} in the file, ${notice.added || "none"} of them new here.` +
+          (notice.unread ? ` ${counted(notice.unread, "line is", "lines are")} no attempt.` : "")
         );
-      case "file_unread":
-        return `${notice.name} holds no attempts. Choose a file that Pathlight has saved.`;
+      case "no_attempts":
+        return `${notice.file} is not a file of attempts from Pathlight. Nothing was changed.`;
     }
   },
 };

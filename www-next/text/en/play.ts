@@ -4,7 +4,6 @@ import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import { GOAL_SECONDS, formatsOf, secondsOf } from "../formats.ts";
 import { balls } from "./widths.ts";
 import type { Outcome, Verdict } from "../../core/derived/duel.ts";
-import type { MapName } from "../../pkg/page/pathlight.js";
 
 const { counted, percent, seconds } = formatsOf("en-GB");
 
@@ -24,15 +23,18 @@ export const play = {
   step: {
     start: "Play against it",
     drop: "Drop it",
+    run: "Let it run",
     pause: "Pause",
     play: "Go on",
     again: "Try again",
+    back: "Your turn",
     next: "Next puzzle",
     try: "Play it",
     make: "Back to making",
   },
   placeFirst: "Click or tap the scene to place your red ball. Nobody touches anything after that.",
   ready: "Ready. Drop it!",
+  choosing: "The model chooses its ball …",
   running: "Now nobody touches anything.",
   full: `You have used all ${ATTEMPT_LIMIT} balls of this puzzle.`,
 
@@ -72,17 +74,4 @@ export const play = {
   round: (round: number) => `Ball ${round}: show it again`,
   guess: "The model’s guess",
   alone: "Play without the model",
-
-  maps: "What the model imagines",
-  map: {
-    base: "If you do nothing",
-    target: "What green must do",
-    action: "What red must do",
-    placement: "Where to start",
-    success: "What works",
-  } satisfies Record<MapName, string>,
-
-  practised: "Careful: the model trained on this very puzzle.",
-  unknown: "This puzzle is new to the model.",
-  unseen: "The model has practised puzzles of this kind, but not this one.",
 };

@@ -1,0 +1,105 @@
+// Predicting: a person draws where the green object will go, from the object on, and lets it run. Elsewhere in the
+// scene the pointer places the ball, as in Play.
+
+import { cancel, drag, nudge, placing, press, release } from "./placement.ts";
+import { drop, play } from "./run.ts";
+import { MIN_RADIUS, SCENE_SIZE } from "../../pkg/constants.ts";
+import { goal } from "../derived/placing.ts";
+import type { Point } from "./placement.ts";
+import type { State } from "../state.ts";
+
+export interface Sketch {
+  /** From the middle of the object to where it ends, px. */
+  readonly line: readonly Point[];
+  /** The pointer that draws, and the line before, to which one that the browser takes away goes back. */
+  readonly drawing: { readonly pointer: number; readonly before: readonly Point[] } | null;
+}
+
+export const NO_SKETCH: Sketch = { line: [], drawing: null };
+
+/** The shortest piece of a line worth keeping, px. */
+const PIECE = 2;
+/** More than a day of drawing needs. */
+const MOST_POINTS = 4000;
+/** How much further than a ball an arrow key draws. */
+const STRIDE = 5;
+
+/** Draws on from the object, or from the end of the line; elsewhere the ball is meant. */
+export function pressSketch(state: State, pointer: number, point: Point, reach: { knob: number; ball: number }): State {
+  const { line, drawing } = state.sketch;
+  if (drawing || state.placement.drag) return state;
+  const isNear = ([x, y]: Point) => Math.hypot(point[0] - x, point[1] - y) < Math.max(reach.knob, PIECE * 4);
+  const goesOn = line.length > 0 && isNear(line.at(-1)!);
+  if (!goesOn && !isNear(start(state)) && !isOnObject(state, point)) return press(state, pointer, point, reach);
+  return sketching(state, { line: goesOn ? line : [start(state)], drawing: { pointer, before: line } });
+}
+
+export function dragSketch(state: State, pointer: number, point: Point): State {
+  return state.sketch.drawing?.pointer === pointer ? extended(state, point) : drag(state, pointer, point);
+}
+
+export function releaseSketch(state: State, pointer: number): State {
+  if (state.sketch.drawing?.pointer !== pointer) return release(state, pointer);
+  return { ...state, sketch: { ...state.sketch, drawing: null } };
+}
+
+export function cancelSketch(state: State, pointer: number): State {
+  const { drawing } = state.sketch;
+  if (drawing?.pointer !== pointer) return cancel(state, pointer);
+  return { ...state, sketch: { line: drawing.before, drawing: null } };
+}
+
+/** Arrow keys draw; other keys and the wheel change the size of the ball. */
+export function nudgeSketch(state: State, dx: number, dy: number, dr: number, gesture: string): State {
+  if (dr !== 0) return state.placement.ball ? nudge(state, 0, 0, dr, gesture) : state;
+  const line = state.sketch.line.length > 0 ? state.sketch.line : [start(state)];
+  const [x, y] = line.at(-1)!;
+  return extended(sketching(state, { line, drawing: null }), [x + STRIDE * dx, y + STRIDE * dy]);
+}
+
+export function wipe(state: State): State {
+  return sketching(state, NO_SKETCH);
+}
+
+export function takeBallAway(state: State): State {
+  return placing(state, {
+    ball: null,
+    drag: null,
+    gesture: null,
+    past: [...state.placement.past, state.placement.ball],
+  });
+}
+
+/** Lets the scene run, with the ball if there is one: an attempt, but no duel. */
+export function letRun(state: State): State {
+  if (!canRun(state)) return state;
+  return state.placement.ball ? drop(state, true) : play(state, [{ ball: null, of_model: false }], null, false);
+}
+
+export function canRun({ sketch, placement: { ball }, puzzle }: State): boolean {
+  return sketch.line.length > 1 && (ball === null || puzzle.whyInvalid(ball) === null);
+}
+
+function extended(state: State, [x, y]: Point): State {
+  const { line } = state.sketch;
+  const next: Point = [Math.min(Math.max(x, 0), SCENE_SIZE), Math.min(Math.max(y, 0), SCENE_SIZE)];
+  const [lastX, lastY] = line.at(-1)!;
+  if (line.length >= MOST_POINTS || Math.hypot(next[0] - lastX, next[1] - lastY) < PIECE) return state;
+  return { ...state, sketch: { ...state.sketch, line: [...line, next] } };
+}
+
+/** A prediction is about what comes: a run is left. */
+function sketching(state: State, sketch: Sketch): State {
+  return { ...placing(state, { gesture: null }), sketch };
+}
+
+function start(state: State): Point {
+  const [object] = goal(state);
+  return [object.x, object.y];
+}
+
+/** The smallest ball may not lie where the object is. */
+function isOnObject({ puzzle }: State, [x, y]: Point): boolean {
+  const fault = puzzle.whyInvalid([x, y, MIN_RADIUS]);
+  return fault?.kind === "overlaps" && fault.body === puzzle.scene.body1;
+}

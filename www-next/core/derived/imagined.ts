@@ -1,0 +1,86 @@
+// What the model imagines, as it is shown: maps over the scene, candidates, its favourite against what came of it.
+
+import { meanDistance } from "./duel.ts";
+import { isHidden, shownPanel } from "./hidden.ts";
+import { guess } from "./placing.ts";
+import { ended, rollouts } from "./run.ts";
+import { STEP_LAYERS, atLastStep } from "../change/walkthrough.ts";
+import { CELL_SIZE, GRID_SIDE } from "../../pkg/constants.ts";
+import type { MapName, RolloutFacts, View } from "../../pkg/page/pathlight.js";
+import type { Point } from "../change/placement.ts";
+import type { State } from "../state.ts";
+
+/** How many of the likeliest balls show their imagined path: more would cover each other. */
+const MOST_HINTS = 40;
+/** The opacities of the least and of the likeliest of them. */
+const [FAINTEST, STRONGEST] = [0.15, 0.6];
+
+/** The maps over the scene; a prediction is not spoilt by them. */
+export function shownLayers(state: State): readonly MapName[] {
+  const { step, layers } = state.route;
+  const panel = shownPanel(state);
+  if (panel === "predict") return ended(state) && state.run!.balls[0]!.ball === null ? ["base"] : [];
+  return panel === "imagine" && step ? STEP_LAYERS[step] : layers;
+}
+
+/** The paths that the model imagines for one ball, where they are shown. */
+export function shownGuess(state: State): ReturnType<typeof guess> {
+  const panel = shownPanel(state);
+  if (panel === "imagine" && !atLastStep(state)) return null;
+  if (panel === "predict") return ended(state) ? guess(state) : null;
+  return (state.kept.guess || panel !== "play") && !isHidden(state, "guess") ? guess(state) : null;
+}
+
+/** The imagined paths of the likeliest balls that the model considers, in the step that shows them. */
+export function hints(state: State): View["hints"] {
+  const { candidates } = state.answers;
+  if (state.route.step !== "imagined" || shownPanel(state) !== "imagine" || !candidates) return [];
+  const shown = candidates.toSorted((one, other) => other.probability - one.probability).slice(0, MOST_HINTS);
+  const most = shown[0]?.probability ?? 1;
+  return shown.map(({ object, probability }) => ({
+    object,
+    opacity: FAINTEST + (STRONGEST - FAINTEST) * (probability / most),
+  }));
+}
+
+/** What came of the model's favourite ball, and how far on average its guess was off, px. */
+export interface Favourite {
+  readonly facts: RolloutFacts;
+  readonly radius: number;
+  readonly chance: number;
+  readonly off: number;
+}
+
+/** Null until the last step of the walkthrough has ended. */
+export function favourite(state: State): Favourite | null {
+  const [facts] = rollouts(state);
+  const imagined = guess(state)?.imagined;
+  if (!atLastStep(state) || !ended(state) || !facts?.paths || !imagined) return null;
+  const off = meanDistance(imagined.object, facts.paths.object);
+  return { facts, radius: facts.line.ball![2], chance: imagined.probability, off };
+}
+
+/** How well two masks or maps agree, 0..1: intersection over union, cell by cell. */
+export function overlap(one: Float32Array, other: Float32Array): number {
+  let [both, either] = [0, 0];
+  for (let cell = 0; cell < one.length; cell++) {
+    both += Math.min(one[cell]!, other[cell]!);
+    either += Math.max(one[cell]!, other[cell]!);
+  }
+  return either > 0 ? both / either : 1;
+}
+
+/** Where a map is strongest, px; and the place half as strong or more that is farthest from there or from a start. */
+export function extent(map: Float32Array, start: Point | null): { from: Point; to: Point } {
+  const peak = map.indexOf(map.reduce((most, value) => Math.max(most, value)));
+  const from = start ?? placeOf(peak);
+  const far = (cell: number) => Math.hypot(placeOf(cell)[0] - from[0], placeOf(cell)[1] - from[1]);
+  let farthest = peak;
+  for (let cell = 0; cell < map.length; cell++)
+    if (map[cell]! >= map[peak]! / 2 && far(cell) > far(farthest)) farthest = cell;
+  return { from, to: placeOf(farthest) };
+}
+
+function placeOf(cell: number): Point {
+  return [((cell % GRID_SIDE) + 0.5) * CELL_SIZE, (Math.floor(cell / GRID_SIDE) + 0.5) * CELL_SIZE];
+}

@@ -1,0 +1,82 @@
+// Files that a person saves and opens.
+
+import { attemptCount, openAttempts } from "../core/change/kept.ts";
+import { setNotice } from "../core/change/settings.ts";
+import { attemptsTable, attemptsText, parsedLines } from "../core/derived/files.ts";
+import { MAPS, SCENE_SIZE } from "../pkg/constants.ts";
+import { mapTile, readAttempt } from "../simulator.ts";
+import type { State } from "../core/state.ts";
+import type { Store } from "../core/store.ts";
+import type { AttemptLine } from "../pkg/page/pathlight.js";
+
+/** How long attempts are read before the page may answer the person, ms. */
+const SLICE = 30;
+/** Most bytes of a file of attempts, more than of a person at all puzzles. */
+const LARGEST = 2e7;
+/** Of the captions under a picture, px. */
+const CAPTION = 28;
+
+export function saveAttempts({ kept }: State): void {
+  download(new File([attemptsText(kept.attempts)], "pathlight-attempts.jsonl", { type: "application/jsonl" }));
+}
+
+export function saveTable(state: State): void {
+  download(new File([attemptsTable(state)], `pathlight-${nameOf(state)}.csv`, { type: "text/csv" }));
+}
+
+/** The maps over the scene, side by side, named. */
+export function saveMaps(store: Store<State>): void {
+  const { puzzle, answers, text } = store.state;
+  const names = MAPS.filter((name) => answers.maps?.[name]);
+  const canvas = document.createElement("canvas");
+  canvas.width = names.length * SCENE_SIZE;
+  canvas.height = SCENE_SIZE + CAPTION;
+  const context = canvas.getContext("2d")!;
+  context.fillStyle = "#fff";
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.fillStyle = "#000";
+  context.font = "16px sans-serif";
+  context.textAlign = "center";
+  names.forEach((name, index) => {
+    const left = index * SCENE_SIZE;
+    context.drawImage(mapTile(puzzle, name, answers.maps![name]!, false), left, 0);
+    context.fillText(text.imagine.paper[name], left + SCENE_SIZE / 2, SCENE_SIZE + 20);
+  });
+  const file = `pathlight-${nameOf(store.state)}.png`;
+  canvas.toBlob((blob) => (blob ? download(new File([blob], file)) : store.change(setNotice, { kind: "no_picture" })));
+}
+
+/** Reads a file of attempts; each is simulated again, so that what is kept is true. */
+export async function openFile(store: Store<State>, file: File): Promise<void> {
+  const attempts: Record<string, AttemptLine[]> = {};
+  const text = file.size > LARGEST ? "" : await file.text();
+  const values = [...parsedLines(text)];
+  let unread = 0;
+  let rest = performance.now() + SLICE;
+  for (const [index, value] of values.entries()) {
+    const read = typeof value === "object" && value !== null ? readAttempt(value) : null;
+    if (read) (attempts[read.key] ??= []).push(read.line);
+    else unread += 1;
+    if (performance.now() < rest) continue;
+    store.change(setNotice, { kind: "opening", share: Math.floor((10 * index) / values.length) / 10 });
+    await new Promise((resolve) => setTimeout(resolve));
+    rest = performance.now() + SLICE;
+  }
+  const found = attemptCount(attempts);
+  if (found === 0) return store.change(setNotice, { kind: "no_attempts", file: file.name });
+  const before = attemptCount(store.state.kept.attempts);
+  store.change(openAttempts, attempts);
+  const added = attemptCount(store.state.kept.attempts) - before;
+  store.change(setNotice, { kind: "opened", added, found, unread });
+}
+
+function nameOf({ puzzle }: State): string {
+  return (puzzle.about.id ?? puzzle.about.name ?? "custom").replaceAll(/[^\w-]+/g, "-");
+}
+
+export function download(file: File): void {
+  const url = URL.createObjectURL(file);
+  Object.assign(document.createElement("a"), { href: url, download: file.name }).click();
+  // Once the browser has taken it.
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+}

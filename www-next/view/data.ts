@@ -1,0 +1,128 @@
+// The panel Data, for researchers: the ball in numbers, the model, imagined against real paths, and files.
+
+import { html, nothing } from "lit-html";
+import { live } from "lit-html/directives/live.js";
+import { attemptCount } from "../core/change/kept.ts";
+import { chooseModel } from "../core/change/model.ts";
+import { FIRST_BALL, place } from "../core/change/placement.ts";
+import { openSheet } from "../core/change/sheet.ts";
+import { meanDistance } from "../core/derived/duel.ts";
+import { overlap } from "../core/derived/imagined.ts";
+import { guess } from "../core/derived/placing.ts";
+import { ended, rollouts } from "../core/derived/run.ts";
+import { sameBall } from "../core/puzzle.ts";
+import { openFile, saveAttempts, saveMaps, saveTable } from "../effects/files.ts";
+import { MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../pkg/constants.ts";
+import type { Ball, Setup } from "../pkg/page/pathlight.js";
+import type { State } from "../core/state.ts";
+import type { App, View } from "./view.ts";
+
+export function data(app: App): View {
+  return html`${ball(app)} ${model(app)} ${paths(app)} ${attempts(app)}`;
+}
+
+function ball({ store }: App): View {
+  const { placement, text } = store.state;
+  const axes = ["x", "y", "r"] as const;
+  return html`<fieldset class="fields">
+    <legend>${text.data.ball}</legend>
+    ${axes.map(
+      (axis, index) =>
+        html`<label>
+          ${text.data.axes[axis]}
+          <input
+            class="number"
+            type="number"
+            min=${axis === "r" ? MIN_RADIUS : 0}
+            max=${axis === "r" ? MAX_RADIUS : SCENE_SIZE - 1}
+            .value=${live(placement.ball ? String(placement.ball[index]) : "")}
+            @change=${(event: Event) => changed(event, index)}
+          />
+        </label>`,
+    )}
+  </fieldset>`;
+
+  function changed({ target }: Event, index: number): void {
+    const value = (target as HTMLInputElement).valueAsNumber;
+    const next = (placement.ball ?? FIRST_BALL).with(index, value) as Ball;
+    if (Number.isFinite(value)) store.change(place, next, null);
+  }
+}
+
+function model({ store }: App): View {
+  const { kept, text } = store.state;
+  return html`<label class="switch">
+    ${text.model.choose}
+    <select @change=${({ target }: Event) => store.change(chooseModel, (target as HTMLSelectElement).value as Setup)}>
+      ${Object.entries(text.model.names).map(
+        ([setup, name]) => html`<option value=${setup} .selected=${setup === kept.model}>${name}</option>`,
+      )}
+    </select>
+  </label>`;
+}
+
+function paths({ store }: App): View {
+  const { state } = store;
+  const { text, run, answers } = state;
+  const rows = run && ended(state) && answers.maps ? run.balls.map((_, index) => row(state, index)) : [];
+  return html`<h2>${text.data.run}</h2>
+    ${
+      rows.length === 0
+        ? html`<p class="quiet">${text.data.noRun}</p>`
+        : html`<table>
+              <thead>
+                <tr>
+                  <td></td>
+                  <th scope="col">${text.data.green}</th>
+                  <th scope="col">${text.data.red}</th>
+                  <th scope="col">${text.data.off}</th>
+                </tr>
+              </thead>
+              <tbody>
+                ${rows}
+              </tbody>
+            </table>
+            <p class="quiet">${text.data.explained}</p>`
+    }
+    ${answers.maps ? html`<p><button @click=${() => saveMaps(store)}>${text.data.saveMaps}</button></p>` : nothing}`;
+}
+
+/** How one of the balls that run agrees with what was imagined. */
+function row(state: State, index: number): View {
+  const { text, puzzle, run, answers } = state;
+  const { ball, of_model } = run!.balls[index]!;
+  const real = puzzle.pathMasks(ball);
+  const maps = answers.maps!;
+  const imagined = guess(state);
+  const facts = rollouts(state)[index]!;
+  const off =
+    sameBall(imagined?.of ?? null, ball) && facts.paths && meanDistance(imagined!.imagined.object, facts.paths.object);
+  return html`<tr>
+    <th scope="row">${of_model ? text.data.model : ball ? text.data.you : text.data.alone}</th>
+    <td>${text.data.agreement(overlap(ball ? maps.target : maps.base, real.object))}</td>
+    <td>${real.ball ? text.data.agreement(overlap(maps.action, real.ball)) : "–"}</td>
+    <td>${off ? text.data.px(off) : "–"}</td>
+  </tr>`;
+}
+
+function attempts({ store }: App): View {
+  const { state } = store;
+  const { text } = state;
+  const count = attemptCount(state.kept.attempts);
+  return html`<h2>${text.data.attempts}</h2>
+    <p>${text.data.kept(count)}</p>
+    <div class="buttons">
+      <button ?disabled=${count === 0} @click=${() => saveAttempts(state)}>${text.data.save}</button>
+      <label class="file"><input type="file" accept=".jsonl" @change=${opened} /><span>${text.data.open}</span></label>
+      <button @click=${() => saveTable(state)}>${text.data.table}</button>
+      <button ?disabled=${count === 0} @click=${() => store.change(openSheet, "forget")}>${text.home.forget}</button>
+    </div>`;
+
+  function opened({ target }: Event): void {
+    const input = target as HTMLInputElement;
+    const [file] = input.files!;
+    // The same file can be opened again.
+    input.value = "";
+    if (file) void openFile(store, file);
+  }
+}

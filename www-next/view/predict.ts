@@ -1,0 +1,17 @@
+// The panel Predict: what to do, and two buttons; the large one lets the scene run.
+
+import { html } from "lit-html";
+import { takeBallAway, wipe } from "../core/change/sketch.ts";
+import type { App, View } from "./view.ts";
+
+export function predict({ store }: App): View {
+  const { text, sketch, placement } = store.state;
+  return html`<p>${text.predict.intro}</p>
+    <div class="buttons">
+      <button ?disabled=${sketch.line.length === 0} @click=${() => store.change(wipe)}>${text.predict.wipe}</button>
+      <button ?disabled=${placement.ball === null} @click=${() => store.change(takeBallAway)}>
+        ${text.predict.noBall}
+      </button>
+    </div>
+    <p class="quiet">${text.predict.keys}</p>`;
+}
