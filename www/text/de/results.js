@@ -31,7 +31,7 @@ export const results = {
   beside: {
     title: "Im Vergleich zu veröffentlichten Ergebnissen",
     about:
-      "AUCCESS, gemittelt über die zehn Aufteilungen von PHYRE. Die Zahlen oben gelten für eine davon. Die meisten unserer Netze haben wir für jede Aufteilung neu und nur kurz trainiert. Gemessen haben wir in Version 3 unseres Simulators, die etwas anders rechnete als der von PHYRE; die Rätsel hier laufen in Version 4, die genauso rechnet. RAND probiert in jedem Rätsel dieselbe Liste von Kugeln durch; unsere zufälligen Kugeln werden jedes Mal neu gezogen.",
+      "AUCCESS, gemittelt über die zehn Aufteilungen von PHYRE. Die Zahlen oben gelten für eine davon. Die meisten unserer Netze haben wir für jede Aufteilung neu und nur kurz trainiert. Gemessen haben wir in Version 3 unseres Simulators, die etwas anders rechnete als der von PHYRE. RAND probiert in jedem Rätsel dieselbe Liste von Kugeln durch; unsere zufälligen Kugeln werden jedes Mal neu gezogen.",
     within: "Bekannte Arten",
     cross: "Neue Arten",
     byKind: {

@@ -32,7 +32,7 @@ export const results = {
   beside: {
     title: "Compared with published results",
     about:
-      "Auccess, averaged over PHYRE’s ten splits of the puzzles; the figures above are for one split. We trained most nets briefly, anew for each split, and measured them in version 3 of our simulator, which differed slightly from PHYRE’s; the puzzles here run in version 4, which does not. RAND tries the same list of balls on every puzzle; our random balls are drawn anew each time.",
+      "Auccess, averaged over PHYRE’s ten splits of the puzzles; the figures above are for one split. We trained most nets briefly, anew for each split, and measured them in version 3 of our simulator, which differed slightly from PHYRE’s. RAND tries the same list of balls on every puzzle; our random balls are drawn anew each time.",
     within: "Known kinds",
     cross: "New kinds",
     byKind: {
