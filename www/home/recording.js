@@ -40,7 +40,8 @@ import { readFile } from "../api/files.js";
  * `kinds`: by template, the path that the model imagines for the green object of its first task, from its start.
  * `paths`: the same, by task, for the easiest task of each template that is new to the model.
  * `unsolved`: by model, puzzles that it does not solve in a hundred attempts, the easiest first.
- * @typedef {{ scene: RecordedScene, kinds: Record<string, number[]>, paths: Record<string, number[]>, unsolved: Record<string, string[]> }} Recording
+ * @typedef {{ scene: RecordedScene, kinds: Record<string, number[]>, paths: Record<string, number[]>,
+ *   unsolved: Record<string, string[]> }} Recording
  */
 
 const ADDRESS = new URL("../assets/home.json", import.meta.url);

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::fold_result::{self, FoldResult};
 use super::other_data::{self, Table};
-use crate::measure::agents::AGENTS;
+use crate::measure::agents::{AGENTS, MeasuredAgent};
 use crate::measure::paper_table::{self, ByTemplate};
 use crate::measure::report::Report;
 
@@ -155,7 +155,13 @@ pub fn our_means(results: &[FoldResult]) -> Vec<AgentMean> {
         mean_and_deviation(&scores(of_setup, agent))
     };
     let of_agent = |agent| AgentMean { agent, auccess: [Setup::Within, Setup::Cross].map(|setup| mean(setup, agent)) };
-    AGENTS.iter().map(|measured| of_agent(measured.agent)).collect()
+    in_tables(results).map(|measured| of_agent(measured.agent)).collect()
+}
+
+/// Returns the agents that tables of these results have: all but RAND, which has only a row where it was measured.
+pub fn in_tables(results: &[FoldResult]) -> impl Iterator<Item = &'static MeasuredAgent> {
+    let is_measured = |agent| results.iter().any(|result| result.report.score(agent).is_some());
+    AGENTS.iter().filter(move |row| row.agent != AgentName::Listed || is_measured(row.agent))
 }
 
 /// Returns the auccess of an agent in the reports that have it.

@@ -7,12 +7,14 @@ use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 
-use super::compared::{AgentMean, Published, REPORTED, mean_and_deviation, online_with_other_data, our_means};
+use super::compared::{
+    AgentMean, Published, REPORTED, in_tables, mean_and_deviation, online_with_other_data, our_means,
+};
 use super::fold_result::{FoldResult, Hyperparameters};
 use super::training_report;
 use crate::data::label::BALLS;
 use crate::files::replace_file::replace_file;
-use crate::measure::agents::{AGENTS, row};
+use crate::measure::agents::row;
 use crate::measure::report::score_cell;
 
 /// An agent, one that lacks a part of it, and the part.
@@ -151,10 +153,12 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         text,
         "\n## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
     )?;
-    let names = AGENTS.iter().map(|agent| agent.label).collect::<Vec<_>>().join(" | ");
-    writeln!(text, "| setup | fold | test tasks | {names} |\n| --- |{}", " ---: |".repeat(2 + AGENTS.len()))?;
+    let names: Vec<&str> = in_tables(results).map(|agent| agent.label).collect();
+    let columns = " ---: |".repeat(2 + names.len());
+    writeln!(text, "| setup | fold | test tasks | {} |\n| --- |{columns}", names.join(" | "))?;
     for result in results {
-        let cells = AGENTS.iter().map(|agent| result.report.score(agent.agent).map_or("–".to_string(), score_cell));
+        let cells =
+            in_tables(results).map(|agent| result.report.score(agent.agent).map_or("–".to_string(), score_cell));
         let cells: Vec<String> = cells.collect();
         let tasks = result.report.first_solved(AgentName::Random, None).len();
         writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
