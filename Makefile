@@ -1,6 +1,5 @@
-# make play      builds what is missing and serves the page on PORT; PAGE=www serves its sources as they are, so that a change
-#                shows when the page is loaded again
-# make dev       serves the page of www-next on PORT, and loads it again whenever one of its files changes
+# make play      builds what is missing and serves the page on PORT
+# make dev       serves the page on PORT, and loads it again whenever one of its files changes
 # make check     runs the fast checks: formats, lints, types and unit tests, without a browser
 # make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
 # make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
@@ -18,7 +17,6 @@
 # PROFILE=dist compiles the wasm as it is released: smaller, and several times as long.
 
 PORT ?= 8080
-PAGE ?= target/page
 export PROFILE ?= release
 
 # Cargo's tools are installed here: shared by all clones, apart from those of the system.
@@ -29,7 +27,7 @@ export PATH := $(TOOLS)/bin:$(PATH)
 # All look for what is built there, wherever else cargo is told to build.
 export CARGO_TARGET_DIR := $(CURDIR)/target
 
-PACKAGE := www/pkg/pathlight_bg.wasm
+PACKAGE := www/pkg/worker/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/constants.mjs scripts/licences.mjs \
 	scripts/mend-glue.mjs scripts/optimise-wasm scripts/package-lock.json LICENSE src/web/types.d.ts src/benchmark/difficulty.json \
 	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
@@ -39,7 +37,7 @@ BUILT_AS := target/wasm-profile
 $(shell { read -r profile <$(BUILT_AS); [ "$$profile" = $(PROFILE) ] || \
 	{ mkdir -p target && echo $(PROFILE) >$(BUILT_AS); }; } 2>/dev/null)
 
-BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
+BUNDLE := scripts/install-tools js-tools && node scripts/build-page.mjs
 
 .DELETE_ON_ERROR:
 .PHONY: play dev check test test-cluster bench build python package dist timings pictures film clean
@@ -47,9 +45,8 @@ BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
 	@cargo build --release --workspace --bin pathlight-serve
-	@page=$(PAGE); \
-	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; fix what is reported above, then run make play again" >&2; page=www; }; \
-	target/release/pathlight-serve --port $(PORT) --dir $$page
+	@$(BUNDLE)
+	@target/release/pathlight-serve --port $(PORT) --dir target/page
 
 dev: $(PACKAGE)
 	@scripts/install-tools js-tools
@@ -94,6 +91,6 @@ $(PACKAGE): $(PACKAGED) $(BUILT_AS)
 	scripts/build-wasm
 
 clean:
-	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc next package page page-next pictures python-env \
+	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc package page pictures python-env \
 		python-tools release stages tests-www tmp tools wasm32-unknown-unknown wasm-compiled wasm-package wheels)
-	rm -rf dist dist.* www/pkg www-next/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules
+	rm -rf dist dist.* www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules

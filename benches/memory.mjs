@@ -4,6 +4,7 @@
 // All attempts are in like scenes, which costs most. Timed are the first ball, for which the model reads the scene and
 // recalls the attempts, and the mean of all balls of a puzzle, twenty at most; in wasm with their simulation. The times
 // are those of the processor, because a machine may be busy with something else.
+// It needs `make package`.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -11,7 +12,7 @@ import { createInterface } from "node:readline";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { load } from "../www/api/index.js";
+import { load } from "../target/package/pathlight.js";
 
 const ATTEMPTS = Number(process.argv[2] ?? 10_000);
 const KIND = "00015";

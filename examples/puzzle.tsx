@@ -13,7 +13,7 @@ export function Puzzle({ task, remember = false }: { task: string; remember?: bo
   }, []);
   return (
     <section>
-      <pathlight-puzzle ref={puzzle} task={task} remember={remember} hide="imagine,compare,predict,map" />
+      <pathlight-puzzle ref={puzzle} task={task} remember={remember} hide="model" />
       <p>Attempts: {attempts}</p>
     </section>
   );

@@ -1,5 +1,5 @@
 
-// scripts/build-package-next.mjs adds this to the declarations of the element: without React's types there is nothing
+// scripts/build-package.mjs adds this to the declarations of the element: without React's types there is nothing
 // to extend, which TypeScript lets only a declaration file say.
 
 /** The attributes of the element in JSX. */

@@ -1,9 +1,8 @@
-// Builds dist/, a folder for any static host: node scripts/build-dist.mjs (needs www/pkg; `make dist` builds that
-// first).
+// Builds dist/, a folder for any static host: node scripts/build-dist.mjs (needs www/pkg).
 //
-// - index.html, manifest.webmanifest, icon.svg, icons/ and service-worker.js keep their addresses in all versions.
-// - VERSION/ holds the bundled code, the wasm and the list of models. VERSION is a hash of the whole page, so a page
-//   that is open during an update never gets files of the new version.
+// - Pages, manifest, icons and service-worker.js keep their addresses in all versions.
+// - VERSION/ holds code, wasm and data. VERSION is a hash of the whole page, so a page that is open during an update
+//   never gets files of the new version.
 // - assets/ holds the weights, named by their own hashes, since most versions share them.
 //
 // All addresses are relative. Beside every file that compresses well are FILE.br and FILE.gz, for hosts that send
@@ -12,147 +11,115 @@
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
 import { readFile, readdir } from "node:fs/promises";
-import { dirname, extname, join, posix } from "node:path";
+import { dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
-import { SOURCES, bundledPage } from "./bundle-page.mjs";
+import { build } from "esbuild";
+import { bundling, pageFiles } from "./build-page.mjs";
 import { isCompressible, replaceFolder } from "./compress.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
-const SERVICE_WORKER = "offline/service-worker.js";
-/** Beside index.html; everything else belongs to a version. */
-const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
-/** What the page reads of the assets when somebody asks for it. */
-const LAZY_ASSETS = ["home.json", "results.json", "attempts.jsonl"];
-const VERSIONED = /\.(js|css|wasm|txt)$/;
+const OUT = join(ROOT, "dist");
+const VERSIONED = /\.(js|css|wasm|json|jsonl)$/;
+const WEIGHTS = /^assets\/.*\.safetensors$/;
+const SERVICE_WORKER = "service-worker.js";
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
 
-/** @typedef {import("./bundle-page.mjs").Files} Files */
-
 /**
- * Builds the folder and returns its files without the compressed ones.
- * @param {{ page?: string, assets?: string, out?: string, quality?: number }} [options] folders of the page, of the
- *     weights and of the result, whose contents are replaced; brotli's quality, by default the best, 0 to compress
- *     nothing
+ * Builds the folder.
+ * @param {{ out?: string, quality?: number, change?: (files: Map<string, Buffer>) => void }} [options] the result,
+ *   whose contents are replaced; brotli's quality, 0 to compress nothing; what a test changes of the page's files
  */
-export async function buildDist({
-  page = SOURCES,
-  assets = join(ROOT, "assets"),
-  out = join(ROOT, "dist"),
-  quality,
-} = {}) {
-  if (existsSync(out) && !existsSync(join(out, "service-worker.js")) && (await readdir(out)).length > 0) {
+export async function buildDist({ out = OUT, quality, change } = {}) {
+  if (existsSync(out) && !existsSync(join(out, SERVICE_WORKER)) && (await readdir(out)).length > 0)
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
+  const files = new Map([...(await pageFiles()), ...(await offlineFiles())]);
+  change?.(files);
+  const dist = await versioned(files);
+  await replaceFolder(out, dist, quality);
+  return dist;
+}
+
+/** The scripts that only dist/ has. */
+async function offlineFiles() {
+  const { outputFiles } = await build({
+    ...bundling(),
+    entryPoints: [join(ROOT, "www/offline/updates.ts"), join(ROOT, "www/offline/service-worker.ts")],
+    outdir: "/",
+    minify: true,
+    write: false,
+  });
+  return new Map(outputFiles.map(({ path, contents }) => [path.slice(1), Buffer.from(contents)]));
+}
+
+/**
+ * Gives every file its place.
+ * @param {Map<string, Buffer>} files
+ */
+async function versioned(files) {
+  /** @type {Map<string, string>} */
+  const places = new Map();
+  for (const [path, content] of files) {
+    if (WEIGHTS.test(path)) places.set(path, path.replace(/(?=\.\w+$)/, `-${hash(content)}`));
+    else places.set(path, VERSIONED.test(path) && path !== SERVICE_WORKER ? `${PLACEHOLDER}/${path}` : path);
   }
-  const files = await distFiles(page, assets);
-  await replaceFolder(out, files, quality);
-  return files;
+  /** @type {Map<string, Buffer>} */
+  const placed = new Map();
+  for (const [path, content] of files) placed.set(places.get(path) ?? path, addressed(path, content, places));
+  const parts = [...placed].map(([path, content]) => `${path} ${hash(content)}\n`).sort();
+  const version = hash(parts.join(""));
+  /** @type {Map<string, Buffer>} */
+  const dist = new Map();
+  for (const [path, content] of placed)
+    dist.set(
+      path.replace(`${PLACEHOLDER}/`, `${version}/`),
+      path.endsWith(".html") ? Buffer.from(content.toString().replaceAll(`${PLACEHOLDER}/`, `${version}/`)) : content,
+    );
+  dist.set(SERVICE_WORKER, workerOf(version, dist));
+  return new Map([...dist].sort(([one], [other]) => (one < other ? -1 : 1)));
 }
 
 /**
- * @param {string} page
- * @param {string} assets
- * @returns {Promise<Files>}
+ * A file with the addresses of what it names: pages name files of their version, scripts the weights.
+ * @param {string} path
+ * @param {Buffer} content
+ * @param {Map<string, string>} places
  */
-async function distFiles(page, assets) {
-  const sources = await bundledPage(page);
-  const { list, weights } = await modelFiles(assets);
-  const unversioned = pick(sources, (path) => UNVERSIONED.test(path));
-  const versioned = pick(sources, (path) => VERSIONED.test(path) && path !== SERVICE_WORKER).set(
-    "assets/model.json",
-    list,
-  );
-  for (const path of LAZY_ASSETS.filter((one) => existsSync(join(assets, one))))
-    versioned.set(`assets/${path}`, await readFile(join(assets, path)));
-  const index = indexOf(contentOf(sources, "index.html").toString(), versioned);
-  const worker = contentOf(sources, SERVICE_WORKER).toString();
-
-  const everything = [...versioned, ...unversioned, ...weights, ["index.html", index], [SERVICE_WORKER, worker]];
-  const version = hash(everything.map(([path, content]) => `${path} ${hash(content)}\n`).join(""));
-  /** @type {Files} */
-  const files = new Map([
-    ...unversioned,
-    ["index.html", Buffer.from(index.replaceAll(`${PLACEHOLDER}/`, `${version}/`))],
-  ]);
-  for (const [path, content] of versioned) files.set(`${version}/${path}`, content);
-  for (const [path, content] of weights) files.set(path, content);
-  files.set("service-worker.js", Buffer.from(workerOf(worker, version, files)));
-  return new Map([...files].sort(([one], [other]) => (one < other ? -1 : 1)));
-}
-
-/**
- * The weights, named by their hash, and the list that names them so.
- * @param {string} assets
- */
-async function modelFiles(assets) {
-  const { models } = JSON.parse(await readFile(join(assets, "model.json"), "utf8"));
-  /** @type {Files} */
-  const weights = new Map();
-  for (const model of models) {
-    const content = await readFile(join(assets, model.file));
-    const sha256 = createHash("sha256").update(content).digest("hex");
-    if (sha256 !== model.sha256)
-      throw new Error(
-        `${join(assets, model.file)} is not the file that model.json names: write both again by ` +
-          "`pathlight-lab publish weights`",
+function addressed(path, content, places) {
+  if (path.endsWith(".html")) {
+    const html = content
+      .toString()
+      .replace(/\b(href|src)="([^"#]+)/g, (all, name, file) =>
+        places.has(file) ? `${name}="${places.get(file)}` : all,
       );
-    const path = `assets/${model.name}-${hash(content)}${extname(model.file)}`;
-    weights.set(path, content);
-    // The list stands in VERSION/assets.
-    model.file = posix.relative(`${PLACEHOLDER}/assets`, path);
+    const updates = `<script type="module" src="${PLACEHOLDER}/updates.js" fetchpriority="low"></script>\n</head>`;
+    return Buffer.from(path === "index.html" ? html.replace("</head>", updates) : html);
   }
-  return { list: Buffer.from(`${JSON.stringify({ models }, null, 2)}\n`), weights };
-}
-
-/**
- * index.html with addresses into the folder of its version, and with the script that starts the service worker.
- * @param {string} html
- * @param {Files} versioned
- */
-function indexOf(html, versioned) {
-  const addressed = html.replace(/\b(href|src)="([^"#]+)/g, (all, name, path) =>
-    versioned.has(path) ? `${name}="${PLACEHOLDER}/${path}` : all,
-  );
-  return addressed.replace(
-    "</head>",
-    `<script type="module" src="${PLACEHOLDER}/offline/updates.js" fetchpriority="low"></script>\n</head>`,
-  );
+  if (!path.endsWith(".js")) return content;
+  let text = content.toString();
+  for (const [from, to] of places)
+    if (WEIGHTS.test(from))
+      text = text
+        // Relative to VERSION/assets, as names of files are, or to the script.
+        .replaceAll(`"${from.slice("assets/".length)}"`, `"../../${to}"`)
+        .replaceAll(`"./${from}"`, `"../${to}"`);
+  return Buffer.from(text);
 }
 
 /**
  * The service worker with the list of what it keeps.
- * @param {string} source
  * @param {string} version
- * @param {Files} files
+ * @param {Map<string, Buffer>} dist
  */
-function workerOf(source, version, files) {
-  const kept = [...files].map(([path, content]) => [
-    path === "index.html" ? "./" : path,
-    `sha256-${createHash("sha256").update(content).digest("base64")}`,
-  ]);
-  const line = /^const PRECACHE = .*$/m;
-  if (!line.test(source))
-    throw new Error(`${SERVICE_WORKER} has no line for the list of files, \`const PRECACHE = …\``);
-  return source.replace(line, () => `const PRECACHE = ${JSON.stringify({ version, files: kept.sort() })};`);
-}
-
-/**
- * @param {Files} files
- * @param {(path: string) => boolean} isPicked
- * @returns {Files}
- */
-function pick(files, isPicked) {
-  return new Map([...files].filter(([path]) => isPicked(path)));
-}
-
-/**
- * @param {Files} files
- * @param {string} path
- */
-function contentOf(files, path) {
-  const content = files.get(path);
-  if (!content) throw new Error(`the page has no ${path}`);
-  return content;
+function workerOf(version, dist) {
+  const kept = [...dist]
+    .filter(([path]) => path !== SERVICE_WORKER)
+    .map(([path, content]) => [
+      path === "index.html" ? "./" : path,
+      `sha256-${createHash("sha256").update(content).digest("base64")}`,
+    ]);
+  const list = `const PRECACHE = ${JSON.stringify({ version, files: kept.sort() })};\n`;
+  return Buffer.from(list + dist.get(SERVICE_WORKER));
 }
 
 /** @param {string | Buffer} content */
@@ -163,7 +130,7 @@ function hash(content) {
 /**
  * Prints the sizes of a built folder by part, as a browser downloads them.
  * @param {string} out
- * @param {Files} files
+ * @param {Map<string, Buffer>} files
  */
 async function printSizes(out, files) {
   /** @type {(path: string) => string} */
@@ -189,9 +156,8 @@ async function printSizes(out, files) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const out = join(ROOT, "dist");
   try {
-    await printSizes(out, await buildDist({ out }));
+    await printSizes(OUT, await buildDist());
   } catch (error) {
     console.error(`error: ${/** @type {Error} */ (error).message}`);
     process.exitCode = 2;

@@ -3,7 +3,7 @@
 // Results are kept in target/compressed, named by the hash of the content: at the best quality each file of weights
 // takes 15 s.
 
-import { createHash } from "node:crypto";
+import { createHash, randomUUID } from "node:crypto";
 import { mkdir, readFile, rename, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -34,18 +34,27 @@ export function isCompressible(path) {
 export async function replaceFolder(out, files, quality) {
   const part = `${out}.${process.pid}`;
   try {
-    const written = [...files].map(async ([path, content]) => {
-      const target = join(part, path);
-      await mkdir(dirname(target), { recursive: true });
-      await writeFile(target, content);
-      if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, quality);
-    });
-    await Promise.all(written);
+    await writeFiles(part, files, quality);
     await rm(out, { recursive: true, force: true });
     await rename(part, out);
   } finally {
     await rm(part, { recursive: true, force: true });
   }
+}
+
+/**
+ * @param {string} folder
+ * @param {Iterable<[path: string, content: Buffer]>} files
+ * @param {number} [quality] as above
+ */
+export async function writeFiles(folder, files, quality) {
+  const written = [...files].map(async ([path, content]) => {
+    const target = join(folder, path);
+    await mkdir(dirname(target), { recursive: true });
+    await writeFile(target, content);
+    if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, quality);
+  });
+  await Promise.all(written);
 }
 
 /**
@@ -94,7 +103,9 @@ async function keptOr(name, compress) {
   const result = await compress();
   await mkdir(KEPT, { recursive: true });
   // Renamed, so that an interrupted build leaves no half of a result.
-  await writeFile(`${path}.${process.pid}`, result);
-  await rename(`${path}.${process.pid}`, path);
+  // Two files may have the same content.
+  const part = `${path}.${randomUUID()}`;
+  await writeFile(part, result);
+  await rename(part, path);
   return result;
 }

@@ -21,9 +21,6 @@ export default [
       "prefer-const": "error",
     },
   },
-  { files: ["www/**/*.js"], languageOptions: { globals: globals.browser } },
-  { files: ["www/api/*.js"], languageOptions: { globals: globals["shared-node-browser"] } },
-  { files: ["www/model/worker.js"], languageOptions: { globals: globals.worker } },
-  { files: ["www/offline/service-worker.js"], languageOptions: { globals: globals.serviceworker } },
+  { files: ["www/*.js"], languageOptions: { globals: globals.browser } },
   { files: ["**/*.mjs"], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
 ];

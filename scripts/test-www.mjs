@@ -1,4 +1,4 @@
-// Bundles the tests of tests/www and runs them in Node: node scripts/test-www.mjs. They need www-next/pkg/constants.ts.
+// Bundles the tests of tests/www and runs them in Node: node scripts/test-www.mjs. They need www/pkg/constants.ts.
 
 import { spawnSync } from "node:child_process";
 import { readdir, rm } from "node:fs/promises";

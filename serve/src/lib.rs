@@ -39,8 +39,8 @@ pub struct Args {
     #[arg(long, default_value = "127.0.0.1")]
     host: String,
 
-    /// Folder to serve: the page with its wasm package in the subfolder pkg, or the output of `make dist`
-    #[arg(long, default_value = "www")]
+    /// Folder to serve: the page as `make play` builds it into target/page, or as `make dist` does into dist
+    #[arg(long, default_value = "page")]
     dir: PathBuf,
 
     /// Folder to serve as /assets/ [default: DIR/assets if it exists, otherwise assets]
@@ -88,7 +88,7 @@ impl Args {
     /// If a folder does not exist, or the server cannot listen on the address.
     pub fn run(self) -> anyhow::Result<()> {
         let page = Folder::open(&self.dir)
-            .with_context(|| format!("cannot serve {}: name the folder of the page with --dir", self.dir.display()))?;
+            .with_context(|| format!("cannot serve {}: name the folder of the page with --dir, such as target/page, into which make play builds it", self.dir.display()))?;
         let assets = self.assets.unwrap_or_else(|| {
             let own = self.dir.join("assets");
             if own.is_dir() { own } else { PathBuf::from("assets") }

@@ -55,7 +55,7 @@ fn used() -> BTreeSet<Arrow> {
     if files("src/commands", &["rs"]).iter().any(|source| source.code.contains("pathlight_serve::")) {
         add("commands", "serve");
     }
-    if files("www", &["js"]).iter().any(|source| source.code.contains("/pkg/pathlight.js\"")) {
+    if files("www", &["ts"]).iter().any(|source| source.code.contains("/pkg/page/pathlight.js\"")) {
         add("www", "web");
     }
     used

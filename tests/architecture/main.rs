@@ -1,8 +1,8 @@
 //! Architecture rules, checked against the source text: the order of the folders, what each may use and why, names,
 //! lengths.
 //!
-//! `rust` has the rules of `src/` and `lab/`, `page` those of `www/`, `docs` and `drawing` those of the texts
-//! and the picture that people read.
+//! `rust` has the rules of `src/` and `lab/`, `docs` and `drawing` those of the texts and the picture that people read;
+//! those of the page are in `tests/www/layers.test.ts`.
 //! Comments are left out, so a rule may be named in one.
 #![cfg(not(target_arch = "wasm32"))]
 
@@ -11,7 +11,6 @@ use std::process::Command;
 mod docs;
 mod drawing;
 mod files;
-mod page;
 mod rule;
 mod rust;
 
@@ -26,7 +25,7 @@ const DUMPING_GROUNDS: [&str; 6] = ["utils", "util", "helpers", "helper", "commo
 #[test]
 fn no_file_is_a_dumping_ground() {
     for folder in ["src", "lab", "www", "tests", "benches"] {
-        for source in files(folder, &["rs", "js", "mjs"]) {
+        for source in files(folder, &["rs", "js", "mjs", "ts"]) {
             let name = source.path.rsplit('/').next().expect("a path ends in a name");
             let stem = name.split('.').next().expect("a name begins with a stem");
             assert!(!DUMPING_GROUNDS.contains(&stem), "{folder}/{}: name it by what it holds", source.path);
@@ -38,7 +37,7 @@ fn no_file_is_a_dumping_ground() {
 fn no_comment_is_too_wide() {
     let mut broken = Vec::new();
     for folder in ["src", "lab", "serve", "python", "www", "tests", "benches", "scripts"] {
-        for source in files(folder, &["rs", "js", "mjs"]) {
+        for source in files(folder, &["rs", "js", "mjs", "ts"]) {
             let too_wide = wide_comments(&source.text);
             broken.extend(too_wide.into_iter().map(|line| format!("{folder}/{}:{line}", source.path)));
         }

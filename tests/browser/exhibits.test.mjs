@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothingInLightAndDark } from "./axe.mjs";
+import { load } from "./package.mjs";
 import { button, openPuzzle, startPlayer } from "./player.mjs";
-import { load } from "../../www/api/index.js";
 
 let session;
 before(async () => (session = await startPlayer()));

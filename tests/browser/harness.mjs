@@ -29,19 +29,12 @@ const flags = [
 ];
 
 /**
- * The page that `make test` looks at: bundled, because a browser opens it in half the time. A test alone takes the
- * sources as they are.
+ * Starts a server of the built page and a browser.
+ * @param {{ dir?: string, serve?: string[] }} [options] `dir`: another folder; `serve`: further arguments of
+ *   `pathlight serve`
  */
-const PAGE = process.env.PATHLIGHT_PAGE;
-
-/**
- * Starts a server and a browser.
- * @param {{ serve?: string[], sources?: boolean }} [options] `serve`: further arguments of `pathlight serve`;
- *   `sources`: the test imports modules of the page, or answers for them, so it needs them one by one
- */
-export async function start({ serve = [], sources = false } = {}) {
-  const bundled = PAGE && !sources && !serve.includes("--dir");
-  return startOn(await startServer(bundled ? ["--dir", PAGE, ...serve] : serve));
+export async function start({ dir = "target/page", serve = [] } = {}) {
+  return startOn(await startServer(["--dir", dir, ...serve]));
 }
 
 /**

@@ -1,144 +1,216 @@
-// The maps: imagined in the worker, each with its legend, laid over the scene when asked.
+// Imagine, Predict and Data on the page of www, as a person uses them.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { start } from "./harness.mjs";
-import { inMore, openImagined, openPanel, openPuzzle, picture } from "./page-actions.mjs";
-
-const MAPS = ["base", "target", "action", "placement", "success"];
-const NAMES = [
-  "If you do nothing",
-  "Where green should go",
-  "What red must do",
-  "Where to start",
-  "Where it would work",
-];
+import { axeFindsNothingInLightAndDark } from "./axe.mjs";
+import {
+  EASY,
+  button,
+  drop,
+  known,
+  modelIsThere,
+  openPuzzle,
+  place,
+  says,
+  scene,
+  spot,
+  startPlayer,
+} from "./player.mjs";
 
 let session;
-before(async () => (session = await start()));
+let balls;
+before(async () => {
+  session = await startPlayer();
+  balls = await known();
+});
 after(() => session.stop());
 
-const imagine = (options) => openImagined(session, options);
-/** With no map over the scene. */
-const bareScene = () => imagine({ fragment: "&panel=imagine&layers=" });
-const laid = (page) =>
-  page.locator("#maps input:checked").evaluateAll((boxes) => boxes.map((box) => box.closest("li").dataset.map));
+const STILL = { reducedMotion: "reduce" };
+const tab = (page, name) => page.getByRole("tab", { name }).click();
+const maps = (page) => page.getByRole("group", { name: "Maps over the scene" }).getByRole("button");
+const pixels = (page) =>
+  scene(page).evaluate((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return data.reduce((sum, value, index) => (sum * 31 + value * (index + 1)) % 1000003, 7);
+  });
 
-test("five different maps, each with a sentence, a summary and a legend", async () => {
-  const page = await imagine();
-  const seen = new Set();
-  for (const map of MAPS) {
-    const row = page.locator(`[data-map=${map}]`);
-    assert.match(await row.locator(".meaning").textContent(), /^(Where|A path) .+\.$/);
-    assert.match(await row.locator(".map canvas[role=img]").getAttribute("aria-label"), /: most sure [a-z ]+/);
-    const peak = Number(await row.locator(".scale span").last().textContent());
-    assert.ok(peak > 0 && peak <= 1, `${map}: ${peak}`);
-    seen.add(await picture(page, `[data-map=${map}] .map canvas[role=img]`));
-    seen.add(await picture(page, `[data-map=${map}] .legend`));
+/** Does the scene look otherwise, once something has been done? */
+async function changes(page, act) {
+  const before = await pixels(page);
+  await act();
+  for (let tries = 0; tries < 100; tries++) if ((await pixels(page)) !== before) return;
+  assert.fail("the scene looks as before");
+}
+
+test("the walkthrough leads from what happens alone to what really happens, and says how far off the model was", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&panel=imagine`, STILL);
+  await maps(page).first().waitFor();
+  await changes(page, () => button(page, /^Step 1: If you do nothing/).click());
+  assert.equal(await maps(page).first().getAttribute("aria-pressed"), "true");
+  await says(page, /^If you do nothing\. Where green goes by itself/);
+  await button(page, "Next step").click();
+  await says(page, /^What green must do/);
+  await button(page, /^Step 5: Forty futures/).click();
+  await says(page, /It considered \d+ balls/);
+  await changes(page, () => button(page, /^Step 6/).click());
+  await says(page, /^It gave its ball .*%, and it (works|does not work)\. The path it imagined for green was .+ off/);
+  await page.waitForURL(/step=run/);
+  await button(page, "Your turn").click();
+  assert.equal(await button(page, "All").getAttribute("aria-pressed"), "true");
+});
+
+test("a key that opens another panel does not lose the focus with the panel", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&panel=imagine`);
+  await button(page, "All").focus();
+  await page.keyboard.press("5");
+  await page.getByRole("tab", { name: "Data", selected: true }).and(page.locator(":focus")).waitFor();
+});
+
+test("the walkthrough plays by itself", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&panel=imagine`, STILL);
+  await maps(page).first().waitFor();
+  await button(page, "Play the steps").click();
+  await says(page, /^What green must do/);
+  await button(page, "Stop").click();
+  await button(page, "Play the steps").waitFor();
+});
+
+test("any number of maps lies over the scene, also after the page is loaded again; each is described", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&panel=imagine`);
+  await maps(page).first().waitFor();
+  for (let index = 0; index < 5; index++) await changes(page, () => maps(page).nth(index).click());
+  assert.match(
+    await maps(page).first().getAttribute("aria-label"),
+    /\(base path\): from x \d+, y \d+ to x \d+, y \d+$/,
+  );
+  await page.waitForURL(/layers=base,target,action,placement,success/);
+  await page.reload();
+  await maps(page).first().waitFor();
+  for (const map of await maps(page).all()) assert.equal(await map.getAttribute("aria-pressed"), "true");
+});
+
+test("a prediction is drawn from green on, and measured against the model's, without a ball and with one", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&panel=imagine`, STILL);
+  await maps(page).first().waitFor();
+  await tab(page, "Predict");
+  assert.equal(await button(page, "Let it run").getAttribute("aria-disabled"), "true");
+  const [x, y] = (await scene(page).getAttribute("aria-label"))
+    .match(/The green .*? at x (\d+), y (\d+)/)
+    .slice(1)
+    .map(Number);
+  await page.mouse.move(...(await spot(page, x, y)));
+  await page.mouse.down();
+  await page.mouse.move(...(await spot(page, x, 20)), { steps: 8 });
+  await page.mouse.up();
+  await button(page, "Let it run").click();
+  const alone = await says(page, /(closer|draw).*%/i);
+  assert.match(alone, /the model|both/);
+  await button(page, "Your turn").click();
+  await page.mouse.click(...(await spot(page, balls.missing[0][0], balls.missing[0][1])));
+  await button(page, "Let it run").click();
+  assert.notEqual(await says(page, /(closer|draw).*%/i), alone);
+  await tab(page, "Play");
+  await page.getByRole("list", { name: "You against the model" }).getByRole("button").waitFor();
+});
+
+test("a prediction is drawn by keys, too", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&panel=predict`, STILL);
+  await scene(page).focus();
+  await page.keyboard.press("Shift+ArrowDown");
+  await page.keyboard.press("Enter");
+  await says(page, /You were \d+% right|(closer|draw).*%/i);
+});
+
+test("attempts are saved, forgotten, and opened again from the file; a file of something else changes nothing", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}`, STILL);
+  for (const ball of balls.missing.slice(0, 2)) {
+    await place(page, ball);
+    await drop(page);
   }
-  assert.equal(seen.size, 10, "no two maps and no two legends are alike");
+  await tab(page, "Data");
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Save").click()]);
+  const path = await download.path();
+  assert.equal((await readFile(path, "utf8")).trim().split("\n").length, 2);
+  await button(page, "Forget everything").click();
+  await page.getByRole("dialog").getByRole("button", { name: "Forget everything" }).click();
+  await page.getByText(/^0 attempts, kept/).waitFor();
+  await page.reload();
+  await page.getByText(/^0 attempts, kept/).waitFor();
+  const file = page.getByLabel("Open a file");
+  await file.setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("hello\n{}\n") });
+  await page.getByRole("alert").getByText("notes.txt is not a file of attempts").waitFor();
+  await file.setInputFiles(path);
+  await page.getByRole("alert").getByText("2 attempts in the file, 2 of them new here.").waitFor();
+  await page.getByText(/^2 attempts, kept/).waitFor();
+  await file.setInputFiles(path);
+  await page.getByRole("alert").getByText("none of them new here").waitFor();
 });
 
-test("opening it lays two maps over the scene", async () => {
-  const page = await imagine();
-  assert.deepEqual(await laid(page), ["target", "action"]);
-  assert.notEqual(await picture(page), await picture(await bareScene()));
+test("numbers place the ball, tell how imagined and real paths agree, and another model plays on", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&ball=${balls.missing[0].join()}`, STILL);
+  await modelIsThere(page);
+  await tab(page, "Data");
+  await page.getByRole("spinbutton", { name: "x" }).fill(String(balls.missing[1][0]));
+  await page.getByRole("spinbutton", { name: "y" }).fill(String(balls.missing[1][1]));
+  await page.getByRole("spinbutton", { name: "radius" }).fill(String(balls.missing[1][2]));
+  await page.keyboard.press("Tab");
+  await drop(page);
+  await page.getByRole("row", { name: /Your ball \d+% \d+% [\d.]+\spx/ }).waitFor();
+  await page.getByRole("row", { name: /The model’s ball \d+% \d+%/ }).waitFor();
+  const [csv] = await Promise.all([page.waitForEvent("download"), button(page, "This puzzle as CSV").click()]);
+  assert.match(await readFile(await csv.path(), "utf8"), /player,1,.*\r\n.*within-0,1,/);
+  const [png] = await Promise.all([page.waitForEvent("download"), button(page, "Save the maps as a picture").click()]);
+  assert.equal((await readFile(await png.path())).subarray(1, 4).toString(), "PNG");
+  await page.getByRole("combobox", { name: "Model" }).selectOption({ label: "Model B: knows 20 of the 25 kinds" });
+  await tab(page, "Play");
+  await page.getByText(/^Model B\./).waitFor();
+  await button(page, "Try again").click();
+  await place(page, balls.missing[2]);
+  await drop(page);
+  await says(page, /model/);
 });
 
-test("a small map is its switch, and a third replaces the oldest", async () => {
-  const page = await imagine();
-  const map = (name) => page.locator(`[data-map=${name}] .map`);
-  await map("base").click();
-  assert.deepEqual(await laid(page), ["base", "action"]);
-  await map("placement").click();
-  assert.deepEqual(await laid(page), ["base", "placement"]);
-  await page.locator("[data-map=success] input").check();
-  assert.deepEqual(await laid(page), ["placement", "success"], "the order is that in which they were switched on");
-  await map("placement").click();
-  assert.deepEqual(await laid(page), ["success"]);
-  await page.waitForFunction(() => location.hash.endsWith("layers=success"));
+test("a finger that drags has a loupe beside it", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&ball=128,120,12`, { hasTouch: true });
+  const loupe = page.locator("canvas").nth(1);
+  await scene(page).evaluate((canvas) => (canvas.setPointerCapture = () => {}));
+  const pointer = async (type, x, y, pointerType) => {
+    const [clientX, clientY] = await spot(page, x, y);
+    await scene(page).dispatchEvent(type, {
+      pointerId: 1,
+      clientX,
+      clientY,
+      bubbles: true,
+      isPrimary: true,
+      pointerType,
+    });
+  };
+  await pointer("pointerdown", 128, 120, "touch");
+  await pointer("pointermove", 140, 120, "touch");
+  await loupe.waitFor();
+  const [small, large] = [await loupe.boundingBox(), await scene(page).boundingBox()];
+  assert.ok(small.width < large.width / 3 && small.y >= large.y && small.x >= large.x, "it lies within the scene");
+  await pointer("pointerup", 140, 120, "touch");
+  await loupe.waitFor({ state: "hidden" });
+  await pointer("pointerdown", 140, 120, "mouse");
+  await pointer("pointermove", 128, 120, "mouse");
+  assert.equal(await loupe.isVisible(), false);
 });
 
-test("a layer lies over the scene while it is on, as strongly as its opacity", async () => {
-  const page = await bareScene();
-  const bare = await picture(page);
-  for (const map of MAPS) {
-    const box = page.locator(`[data-map=${map}] input`);
-    await box.check();
-    assert.notEqual(await picture(page), bare, `${map} shows`);
-    await box.uncheck();
-    assert.equal(await picture(page), bare, `${map} is gone`);
+test("axe finds nothing in these panels, nor on a phone", async () => {
+  for (const viewport of [
+    { width: 1280, height: 800 },
+    { width: 390, height: 664 },
+  ]) {
+    const page = await openPuzzle(session, `#task=${EASY}&panel=imagine&step=base`, { ...STILL, viewport });
+    await maps(page).first().waitFor();
+    await axeFindsNothingInLightAndDark(page, "Imagine");
+    for (const name of ["Predict", "Data"]) {
+      await tab(page, name);
+      await axeFindsNothingInLightAndDark(page, name);
+    }
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(wide <= 0, "nothing sticks out");
   }
-  await page.locator("[data-map=target] input").check();
-  const strong = await picture(page);
-  await inMore(page, () => page.locator("#opacity").fill("0.3"));
-  assert.notEqual(await picture(page), strong);
-  await page.waitForFunction(() => /layers=target/.test(location.hash) && /opacity=0.3/.test(location.hash));
-});
-
-test("another puzzle is imagined afresh", async () => {
-  const page = await imagine();
-  const before = await picture(page, "[data-map=base] .map canvas[role=img]");
-  await page.locator("#next").click();
-  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
-  assert.notEqual(await picture(page, "[data-map=base] .map canvas[role=img]"), before);
-});
-
-test("maps that are switched on stay over the scene while a ball is placed, until they are taken off", async () => {
-  const page = await bareScene();
-  const bare = await picture(page);
-  await page.locator("[data-map=target] input").check();
-  await page.locator("#tab-play").click();
-  const one = await picture(page);
-  assert.notEqual(one, bare);
-  await openPanel(page, "predict");
-  assert.equal(await picture(page), bare, "they would tell the answer");
-  await openPanel(page, "compare");
-  assert.equal(await picture(page), one);
-  assert.deepEqual(await page.locator("#laid li:visible").allInnerTexts(), ["Where green should go"]);
-  await page.locator("#laid-off").click();
-  assert.equal(await picture(page), bare);
-  assert.ok(await page.locator("#laid").isHidden());
-  await page.locator("#tab-imagine").click();
-  await page.locator("#walkthrough-next").click();
-  await page.locator("#tab-play").click();
-  assert.equal(await picture(page), bare, "the map of a step of the walkthrough stays in its panel");
-});
-
-test("in Play a legend has the colour of each map and the dashes of its outline, light and dark", async () => {
-  const page = await openPuzzle(session, { fragment: `&layers=${MAPS}` });
-  assert.deepEqual(await page.locator("#laid li:visible").allInnerTexts(), NAMES);
-  const marks = new Set();
-  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-    await page.emulateMedia({ colorScheme });
-    for (const map of MAPS) marks.add(await picture(page, `#laid [data-of=${map}] canvas`));
-  }
-  assert.equal(marks.size, 2 * MAPS.length, "no two marks are alike");
-});
-
-test("a link may lay more maps there: two are shaded, and the others outlined", async () => {
-  const pictures = [];
-  for (const layers of ["base", "base,target", "base,target,action"]) {
-    const page = await imagine({ fragment: `&panel=imagine&layers=${layers}` });
-    assert.equal(await page.locator("#outlines-note").isVisible(), layers.endsWith("action"));
-    pictures.push(await picture(page));
-  }
-  // A shade covers a good part of the scene, an outline little of it.
-  const page = await session.open("/");
-  const changed = await page.evaluate(async (addresses) => {
-    const read = async (address) => {
-      const image = new Image();
-      image.src = address;
-      await image.decode();
-      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
-      if (!context) throw new Error("no 2D canvas");
-      context.drawImage(image, 0, 0);
-      return new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
-    };
-    const [one, two, three] = await Promise.all(addresses.map(read));
-    const share = (before, after) =>
-      before.reduce((sum, value, index) => sum + Number(value !== after[index]), 0) / before.length;
-    return [share(one, two), share(two, three)];
-  }, pictures);
-  assert.ok(changed[0] > 0.1 && changed[1] > 0 && changed[1] < 0.06, `${changed}`);
 });

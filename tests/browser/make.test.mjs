@@ -5,7 +5,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { EASY, button, described, drop, known, modelIsThere, says, scene, spot, startPlayer } from "./player.mjs";
-import { customScene } from "../../www-next/pkg/page/pathlight.js";
+import { customScene } from "../../www/pkg/page/pathlight.js";
 
 let session;
 /** The green ball of the puzzle, and the other. */

@@ -1,4 +1,4 @@
-// What the tests of the page in www-next share: a server of target/page-next, and what a person does in a puzzle.
+// What the tests of the page in www share: a server of target/page, and what a person does in a puzzle.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -6,14 +6,14 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { startOn } from "./harness.mjs";
 import { serveStatic } from "./static-server.mjs";
-import { OpenPuzzle, initSync } from "../../www-next/pkg/page/pathlight.js";
+import { OpenPuzzle, initSync } from "../../www/pkg/page/pathlight.js";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "../..");
 export const EASY = "00000:058";
 
 /** Starts a browser and a server of the built page; `server` is that of static-server.mjs. */
 export async function startPlayer() {
-  const server = await serveStatic(join(ROOT, "target/page-next"), "/a/");
+  const server = await serveStatic(join(ROOT, "target/page"), "/a/");
   return Object.assign(await startOn(server), { server });
 }
 
@@ -25,14 +25,14 @@ export async function openPuzzle(session, link = `#task=${EASY}`, options = {}) 
   return page;
 }
 
-/** @typedef {import("../../www-next/pkg/page/pathlight.js").Ball} Ball */
+/** @typedef {import("../../www/pkg/page/pathlight.js").Ball} Ball */
 
 /**
  * Balls of a task by what becomes of them.
  * @returns {Promise<{ solving: Ball, missing: Ball[], invalid: Ball }>}
  */
 export async function known(task = EASY) {
-  initSync({ module: await readFile(join(ROOT, "www-next/pkg/page/pathlight_bg.wasm")) });
+  initSync({ module: await readFile(join(ROOT, "www/pkg/page/pathlight_bg.wasm")) });
   const puzzle = new OpenPuzzle(task);
   /** @type {{ solving?: Ball, missing: Ball[], invalid?: Ball }} */
   const found = { missing: [] };

@@ -3,8 +3,8 @@
 
 import { spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { load } from "../../www/api/index.js";
 import { binary } from "./harness.mjs";
+import { load } from "./package.mjs";
 
 /** @typedef {[x: number, y: number, r: number]} Ball */
 /**
@@ -125,12 +125,12 @@ export function computeNatively({ attempts, tasks }, { threads, emulator = [] } 
 }
 
 /**
- * Runs in a page of Pathlight, whose modules it imports by their address.
+ * Runs in a page of the server of the package, whose module it imports by its address.
  * @param {Sample} sample
  * @returns {Promise<Computed>}
  */
 export async function computeInPage({ attempts, tasks }) {
-  const { load } = await import("/api/index.js");
+  const { load } = await import(new URL("pathlight.js", location.href).href);
   const pathlight = await load(tasks.length ? {} : { weights: null });
   return {
     digests: attempts.map(({ task, ball }) => pathlight.attemptLine(task, ball).digest),

@@ -7,12 +7,16 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { startFirefox } from "./firefox.mjs";
-import { start } from "./harness.mjs";
+import { startOn } from "./harness.mjs";
+import { PACKAGE } from "./package.mjs";
 import { computeInNode, computeInPage, computeNatively, digestOf, joined, pieces, sampleOf } from "./same-bits.mjs";
+import { serveStatic } from "./static-server.mjs";
 import { startWebKit, whyNoWebKit } from "./webkit.mjs";
 
 const PER_TEMPLATE = Number(process.env.PATHLIGHT_BITS ?? 2);
 const PROPOSED = process.env.PATHLIGHT_BITS ? 100 : 3;
+/** Any file that a browser shows. */
+const PAGE = "/licences.txt";
 /** By what they have of AVX, the processors that QEMU emulates; the kernels of the nets differ. */
 const PROCESSORS = { "with AVX2": "max", "without AVX": "Nehalem", "with SSE2 alone": "qemu64,-sse3" };
 
@@ -30,18 +34,18 @@ test(
     const node = await computeInNode(sample);
     context.diagnostic(`Node: ${digestOf(node)}`);
     assert.deepEqual(node, native, "Node");
-    const session = await start({ sources: true });
+    const session = await startOn(await serveStatic(PACKAGE));
     /** @type {{ newPage: () => Promise<any>, close: () => Promise<void> }[]} */
     const browsers = [];
     const pageIn = async (browser) => {
       browsers.push(browser);
       const page = await browser.newPage();
-      await page.goto(`${session.origin}/`);
+      await page.goto(session.origin + PAGE);
       return page;
     };
     try {
       const pages = new Map([
-        ["Chromium", await session.open("/")],
+        ["Chromium", await session.open(PAGE)],
         ["Firefox", await pageIn(await startFirefox())],
       ]);
       const lacks = whyNoWebKit();

@@ -1,4 +1,4 @@
-// The page of www-next as a newcomer meets it: home, sharing, lessons, and without a network.
+// The page of www as a newcomer meets it: home, sharing, lessons, and without a network.
 
 import assert from "node:assert/strict";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
@@ -21,7 +21,7 @@ import {
   startPlayer,
 } from "./player.mjs";
 import { serveStatic } from "./static-server.mjs";
-import { buildDist } from "../../scripts/build-dist-next.mjs";
+import { buildDist } from "../../scripts/build-dist.mjs";
 
 /** The puzzle in the picture, which has been recorded. */
 const FIRST_TASK = JSON.parse(await readFile(new URL("../../assets/home.json", import.meta.url), "utf8")).scene.task;

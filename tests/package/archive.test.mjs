@@ -13,7 +13,7 @@ import { root } from "./project.mjs";
 test("the archive serves the page, and its program finds the models", async (context) => {
   const folder = mkdtempSync(join(tmpdir(), "pathlight-archive-"));
   context.after(() => rmSync(folder, { recursive: true, force: true }));
-  execFileSync(process.execPath, ["scripts/bundle-page.mjs"], { cwd: root });
+  execFileSync(process.execPath, ["scripts/build-page.mjs"], { cwd: root });
   const built = "target/release/pathlight";
   assert.ok(existsSync(join(root, built)), `${built} is missing: run cargo build --release --workspace`);
   const printed = execFileSync("scripts/pack-binary", [built], { cwd: root, encoding: "utf8" });
@@ -31,7 +31,7 @@ test("the archive serves the page, and its program finds the models", async (con
     return response;
   };
   assert.match(await (await get("")).text(), /<title>/);
-  await get("pkg/pathlight_bg.wasm");
+  await get("pkg/page/pathlight_bg.wasm");
   const { models } = await (await get("assets/model.json")).json();
   for (const { file } of models) await get(`assets/${file}`);
 

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { startOn } from "../browser/harness.mjs";
@@ -17,8 +17,6 @@ const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
 const { load } = await import(entryOf(project));
 const pathlight = await load();
-/** Is it the package of www-next? */
-const isNext = existsSync(join(installed, "worker.js"));
 
 /** The page, with a script at an address. */
 const pageOf = (script) => `<!doctype html>
@@ -136,7 +134,7 @@ test("Rollup builds it, with the files of the package beside it", async () => {
   await play("rollup/index.html");
 });
 
-test("a bundle that is imported from a blob finds its files by a base", { skip: !isNext }, async () => {
+test("a bundle that is imported from a blob finds its files by a base", async () => {
   const { build } = await import("esbuild");
   const out = folderOf("blob", "");
   writeFileSync(
@@ -162,6 +160,6 @@ export async function start(base) {
   });
   assert.match(why, /^no_wasm: .*say where, by load\(\{ base: /);
   assert.equal(count, 1);
-  await page.getByText("If you do nothing").waitFor();
+  await page.getByRole("button", { name: "Drop it" }).waitFor();
   await page.close();
 });

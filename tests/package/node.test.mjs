@@ -3,15 +3,14 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { once } from "node:events";
-import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
 import { test } from "node:test";
-import { entryOf, example, layoutOf, makeProject, readmeCode, root } from "./project.mjs";
+import { entryOf, example, makeProject, readmeCode, root } from "./project.mjs";
 
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
-const layout = layoutOf(installed);
 const { load } = await import(entryOf(project));
 const TASK = "00007:008";
 
@@ -48,11 +47,10 @@ test("the example prints the auccess that was measured natively", async (context
 
 test("100 tasks in a row leave nothing behind in the memory", async () => {
   const pathlight = await load();
-  const wasm = await import(join(installed, layout.wasm, "pathlight.js"));
+  const wasm = await import(join(installed, "pkg/worker/pathlight.js"));
   const { memory } = await wasm.default();
   // A handle that is not freed at once stays until a collector finds it, if one does.
-  const opener = layout.wasm === "pkg" ? "Game" : "OpenPuzzle";
-  const freed = { [opener]: 0, Model: 0, SolveMap: 0, Turn: 0 };
+  const freed = { OpenPuzzle: 0, Model: 0, SolveMap: 0, Turn: 0 };
   for (const [name, { prototype }] of Object.keys(freed).map((name) => [name, wasm[name]])) {
     const { free } = prototype;
     prototype.free = function () {
@@ -243,7 +241,7 @@ test("a transfer that breaks off is refused with a code and the address", async 
   context.after(() => server.close());
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
   const cut = (path, type) => `http://127.0.0.1:${port}/${path}?type=${type}`;
-  const wasm = `${layout.wasm}/pathlight_bg.wasm`;
+  const wasm = "pkg/worker/pathlight_bg.wasm";
   for (const [code, options] of /** @type {const} */ ([
     ["no_wasm", { wasm: cut(wasm, "application/wasm"), weights: null }],
     ["no_wasm", { wasm: cut(wasm, "application/octet-stream"), weights: null }],
@@ -262,26 +260,11 @@ test("missing weights are named by their address", async () => {
   const copy = join(project, "copy");
   cpSync(installed, copy, { recursive: true });
   rmSync(join(copy, "assets/within-0.safetensors"));
-  const { load } = await import(layoutOf(copy).entry);
+  const { load } = await import(join(copy, "pathlight.js"));
   await assert.rejects(load(), {
     code: "no_weights",
     message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\./,
   });
-});
-
-test("what is wrong with the page's list of the models is said", async () => {
-  const copy = join(project, "page");
-  for (const folder of ["api", "pkg"]) cpSync(join(root, "www", folder), join(copy, folder), { recursive: true });
-  const { load } = await import(join(copy, "api/index.js"));
-  const list = join(copy, "assets/model.json");
-  await assert.rejects(load(), { code: "no_weights", message: /list of models could not be loaded: ENOENT/ });
-  mkdirSync(join(copy, "assets"));
-  writeFileSync(list, "<!doctype html>");
-  await assert.rejects(load(), { code: "no_weights", message: /model\.json holds is not JSON/ });
-  for (const empty of ["null", '{ "models": [] }']) {
-    writeFileSync(list, empty);
-    await assert.rejects(load(), { code: "no_weights", message: /names none/ });
-  }
 });
 
 test("a page in place of a file, as servers of single-page apps send it, is called so", async (context) => {
@@ -294,8 +277,7 @@ test("a page in place of a file, as servers of single-page apps send it, is call
   await once(server, "listening");
   context.after(() => server.close());
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-  // Today's package goes by the type that the server says.
-  for (const file of layout.wasm === "pkg" ? ["page"] : ["page", "file"]) {
+  for (const file of ["page", "file"]) {
     const address = `http://127.0.0.1:${port}/${file}`;
     await assert.rejects(load({ wasm: address, weights: null }), {
       code: "no_wasm",

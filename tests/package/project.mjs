@@ -1,18 +1,16 @@
 // An empty project in which the packed package is installed, as others install it; every test of the package begins
-// with it. `make package` packs it; PATHLIGHT_PACKAGE names another, as scripts/build-package-next.mjs packs it.
+// with it. `make package` packs it.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join, resolve } from "node:path";
+import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 
 const version = /^version = "(.*)"$/m.exec(readFileSync(join(root, "Cargo.toml"), "utf8"))?.[1];
-const packed = process.env.PATHLIGHT_PACKAGE
-  ? resolve(process.env.PATHLIGHT_PACKAGE)
-  : join(root, "target", `pathlight-${version}.tgz`);
+const packed = join(root, "target", `pathlight-${version}.tgz`);
 
 /** Makes a project and installs the package in it, without a registry. Returns its folder. */
 export function makeProject() {
@@ -25,20 +23,10 @@ export function makeProject() {
 }
 
 /**
- * Returns the module that a script gets of a package, and the folder of its wasm.
- * @param {string} installed the package's folder
- */
-export function layoutOf(installed) {
-  const { exports } = JSON.parse(readFileSync(join(installed, "package.json"), "utf8"));
-  const wasm = ["pkg", "pkg/worker"].find((folder) => existsSync(join(installed, folder, "pathlight.js"))) ?? "";
-  return { entry: join(installed, exports["."].node), wasm, element: exports["./element"].types };
-}
-
-/**
- * Returns the module that a script gets of the installed package.
+ * Returns the module that a script gets of the package in a project.
  * @param {string} project
  */
-export const entryOf = (project) => layoutOf(join(project, "node_modules/pathlight")).entry;
+export const entryOf = (project) => join(project, "node_modules/pathlight/pathlight.js");
 
 /**
  * Returns an example of the installed package.

@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { START } from "../../www-next/core/change/route.ts";
-import { addressOf, readAddress, writeAddress } from "../../www-next/effects/address.ts";
+import { START } from "../../www/core/change/route.ts";
+import { addressOf, readAddress, writeAddress } from "../../www/effects/address.ts";
 import { dropAt, fresh, MISSING } from "./player.ts";
-import type { Link } from "../../www-next/core/change/route.ts";
+import type { Link } from "../../www/core/change/route.ts";
 
 test("an address names puzzle, maps and ball, and is read as it was written", () => {
   const link: Link = { ...START, task: "00007:008", layers: ["base", "placement"], step: "run", ball: [40, 200, 12] };

@@ -2,13 +2,13 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { setCheckRadius, sought, toggleCheck, toggleSeeking } from "../../www-next/core/change/check.ts";
-import { answered } from "../../www-next/core/change/model.ts";
-import { place, undo } from "../../www-next/core/change/placement.ts";
-import { agreement, searched, working } from "../../www-next/core/derived/check.ts";
+import { setCheckRadius, sought, toggleCheck, toggleSeeking } from "../../www/core/change/check.ts";
+import { answered } from "../../www/core/change/model.ts";
+import { place, undo } from "../../www/core/change/placement.ts";
+import { agreement, searched, working } from "../../www/core/derived/check.ts";
 import { MISSING, SOLVING, fresh } from "./player.ts";
-import type { State } from "../../www-next/core/state.ts";
-import type { FoundSolutions, Maps } from "../../www-next/pkg/page/pathlight.js";
+import type { State } from "../../www/core/state.ts";
+import type { FoundSolutions, Maps } from "../../www/pkg/page/pathlight.js";
 
 const checked = toggleCheck(place(fresh, [100, 100, 17], null));
 const key = fresh.puzzle.key;

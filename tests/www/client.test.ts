@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ModelClient, WorkerError } from "../../www-next/model/client.ts";
+import { ModelClient, WorkerError } from "../../www/model/client.ts";
 import { FakeWorker } from "./fake-worker.ts";
-import type { Failure } from "../../www-next/core/change/model.ts";
+import type { Failure } from "../../www/core/change/model.ts";
 
 function started() {
   const workers: FakeWorker[] = [];

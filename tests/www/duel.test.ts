@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { choose } from "../../www-next/core/change/kept.ts";
-import { answered } from "../../www-next/core/change/model.ts";
-import { place } from "../../www-next/core/change/placement.ts";
-import { advance, again, drop, seek, setSpeed, show, stepBy, togglePlaying } from "../../www-next/core/change/run.ts";
+import { choose } from "../../www/core/change/kept.ts";
+import { answered } from "../../www/core/change/model.ts";
+import { place } from "../../www/core/change/placement.ts";
+import { advance, again, drop, seek, setSpeed, show, stepBy, togglePlaying } from "../../www/core/change/run.ts";
 import {
   attempts,
   missesInARow,
@@ -14,11 +14,11 @@ import {
   playerSolvedAt,
   rounds,
   verdict,
-} from "../../www-next/core/derived/duel.ts";
-import { ATTEMPT_LIMIT } from "../../www-next/pkg/constants.ts";
+} from "../../www/core/derived/duel.ts";
+import { ATTEMPT_LIMIT } from "../../www/pkg/constants.ts";
 import { LAST, MISSING, SOLVING, dropAt, fresh, line, playAt, withTurn } from "./player.ts";
-import type { Ball, ImaginedBall } from "../../www-next/pkg/page/pathlight.js";
-import type { State } from "../../www-next/core/state.ts";
+import type { Ball, ImaginedBall } from "../../www/pkg/page/pathlight.js";
+import type { State } from "../../www/core/state.ts";
 
 const miss = (index: number): Ball => [30 + index, 100, 12];
 const ownersOf = ({ run }: State) => run!.balls.map(({ of_model }) => (of_model ? "model" : "player"));

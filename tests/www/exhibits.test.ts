@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { resultsCsv } from "../../www-next/exhibits/results-file.ts";
-import { duration, momentOf, playedOf, shownTries, trend } from "../../www-next/exhibits/tries.ts";
-import type { ModelResults } from "../../www-next/exhibits/results-file.ts";
-import type { Reminder, TriedProposal } from "../../www-next/api/index.ts";
+import { resultsCsv } from "../../www/exhibits/results-file.ts";
+import { duration, momentOf, playedOf, shownTries, trend } from "../../www/exhibits/tries.ts";
+import type { ModelResults } from "../../www/exhibits/results-file.ts";
+import type { Reminder, TriedProposal } from "../../www/api/index.ts";
 
 const reminder: Reminder = { puzzle: 1, task: "00015:001", change: 2, ball: [1, 2, 3], solved: true, mirrored: false };
 

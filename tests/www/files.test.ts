@@ -2,15 +2,15 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { NOTHING_KEPT, merged, mergeKept, openAttempts } from "../../www-next/core/change/kept.ts";
-import { setModel } from "../../www-next/core/change/model.ts";
-import { forget } from "../../www-next/core/change/sheet.ts";
-import { attempts } from "../../www-next/core/derived/duel.ts";
-import { attemptsTable, attemptsText, parsedLines } from "../../www-next/core/derived/files.ts";
-import { ATTEMPT_LIMIT } from "../../www-next/pkg/constants.ts";
+import { NOTHING_KEPT, merged, mergeKept, openAttempts } from "../../www/core/change/kept.ts";
+import { setModel } from "../../www/core/change/model.ts";
+import { forget } from "../../www/core/change/sheet.ts";
+import { attempts } from "../../www/core/derived/duel.ts";
+import { attemptsTable, attemptsText, parsedLines } from "../../www/core/derived/files.ts";
+import { ATTEMPT_LIMIT } from "../../www/pkg/constants.ts";
 import { MISSING, SOLVING, fresh, line, playAt, withTurn } from "./player.ts";
-import type { Attempts } from "../../www-next/core/change/kept.ts";
-import type { AttemptLine, Ball } from "../../www-next/pkg/page/pathlight.js";
+import type { Attempts } from "../../www/core/change/kept.ts";
+import type { AttemptLine, Ball } from "../../www/pkg/page/pathlight.js";
 
 const reread = (attempts: Attempts) => {
   const read: Record<string, AttemptLine[]> = {};

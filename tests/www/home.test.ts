@@ -3,12 +3,12 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { endIntro, setRecorded, tick, toggleIntro } from "../../www-next/core/change/home.ts";
-import { answered } from "../../www-next/core/change/model.ts";
-import { place, undo } from "../../www-next/core/change/placement.ts";
-import { START, opened } from "../../www-next/core/change/route.ts";
-import { drop } from "../../www-next/core/change/run.ts";
-import { nextStep, verdict } from "../../www-next/core/derived/duel.ts";
+import { endIntro, setRecorded, tick, toggleIntro } from "../../www/core/change/home.ts";
+import { answered } from "../../www/core/change/model.ts";
+import { place, undo } from "../../www/core/change/placement.ts";
+import { START, opened } from "../../www/core/change/route.ts";
+import { drop } from "../../www/core/change/run.ts";
+import { nextStep, verdict } from "../../www/core/derived/duel.ts";
 import {
   introPaths,
   introPhase,
@@ -19,11 +19,11 @@ import {
   standing,
   taskOfDay,
   unsolvedTask,
-} from "../../www-next/core/derived/home.ts";
-import { FIRST_TASK } from "../../www-next/core/derived/next.ts";
-import { addressOf } from "../../www-next/effects/address.ts";
+} from "../../www/core/derived/home.ts";
+import { FIRST_TASK } from "../../www/core/derived/next.ts";
+import { addressOf } from "../../www/effects/address.ts";
 import { MISSING, SOLVING, fresh, line, playAt, puzzle, withTurn } from "./player.ts";
-import type { Futures, Recorded } from "../../www-next/core/change/home.ts";
+import type { Futures, Recorded } from "../../www/core/change/home.ts";
 
 const path = [10, 20, 30, 40];
 const FUTURES: Futures = {

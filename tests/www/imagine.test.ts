@@ -2,19 +2,19 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { answered, chooseModel, setModel } from "../../www-next/core/change/model.ts";
-import { place } from "../../www-next/core/change/placement.ts";
-import { openPanel, routed, toggleLayer } from "../../www-next/core/change/route.ts";
-import { advance, again } from "../../www-next/core/change/run.ts";
-import { STEPS, go, goTo, toggleTour, tourOn } from "../../www-next/core/change/walkthrough.ts";
-import { attempts } from "../../www-next/core/derived/duel.ts";
-import { extent, favourite, hints, overlap, shownGuess, shownLayers } from "../../www-next/core/derived/imagined.ts";
-import { tourEffect } from "../../www-next/effects/tour.ts";
-import { linkOf } from "../../www-next/effects/address.ts";
-import { GRID_SIDE } from "../../www-next/pkg/constants.ts";
+import { answered, chooseModel, setModel } from "../../www/core/change/model.ts";
+import { place } from "../../www/core/change/placement.ts";
+import { openPanel, routed, toggleLayer } from "../../www/core/change/route.ts";
+import { advance, again } from "../../www/core/change/run.ts";
+import { STEPS, go, goTo, toggleTour, tourOn } from "../../www/core/change/walkthrough.ts";
+import { attempts } from "../../www/core/derived/duel.ts";
+import { extent, favourite, hints, overlap, shownGuess, shownLayers } from "../../www/core/derived/imagined.ts";
+import { tourEffect } from "../../www/effects/tour.ts";
+import { linkOf } from "../../www/effects/address.ts";
+import { GRID_SIDE } from "../../www/pkg/constants.ts";
 import { MISSING, SOLVING, dropAt, fresh, playAt, withTurn } from "./player.ts";
-import type { Candidate, ImaginedBall, Maps } from "../../www-next/pkg/page/pathlight.js";
-import type { State } from "../../www-next/core/state.ts";
+import type { Candidate, ImaginedBall, Maps } from "../../www/pkg/page/pathlight.js";
+import type { State } from "../../www/core/state.ts";
 
 const imagining = openPanel(fresh, "imagine");
 const IMAGINED = { object: Float32Array.of(3, 4), probability: 0.7 } as ImaginedBall;

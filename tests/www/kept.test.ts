@@ -2,14 +2,14 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { NOTHING_KEPT, choose, keepPuzzles, merged, mergeKept } from "../../www-next/core/change/kept.ts";
-import { attempts } from "../../www-next/core/derived/duel.ts";
-import { Store } from "../../www-next/core/store.ts";
-import { keepingEffect, keptFrom, readKept } from "../../www-next/effects/keeping.ts";
-import { ATTEMPT_LIMIT } from "../../www-next/pkg/constants.ts";
+import { NOTHING_KEPT, choose, keepPuzzles, merged, mergeKept } from "../../www/core/change/kept.ts";
+import { attempts } from "../../www/core/derived/duel.ts";
+import { Store } from "../../www/core/store.ts";
+import { keepingEffect, keptFrom, readKept } from "../../www/effects/keeping.ts";
+import { ATTEMPT_LIMIT } from "../../www/pkg/constants.ts";
 import { CUSTOM, MISSING, SOLVING, fresh, line, playAt } from "./player.ts";
-import type { Kept } from "../../www-next/core/change/kept.ts";
-import type { Ball } from "../../www-next/pkg/page/pathlight.js";
+import type { Kept } from "../../www/core/change/kept.ts";
+import type { Ball } from "../../www/pkg/page/pathlight.js";
 
 const kept = (...balls: Ball[]): Kept => ({ ...NOTHING_KEPT, attempts: { a: balls.map((ball) => line(ball)) } });
 const ballsOf = ({ attempts }: Kept) => (attempts.a ?? []).map(({ ball }) => String(ball));

@@ -1,10 +1,10 @@
-// What may import what: a stranger who reads core/ needs to know nothing else.
+// What may import what, and what only one file does: a stranger who reads core/ needs to know nothing else.
 
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
 
-const PAGE = "www-next";
+const PAGE = "www";
 /** Each folder, or file of the top, imports only those before it, and itself. */
 const LAYERS = [
   "pkg",
@@ -32,8 +32,31 @@ const OTHERS: Record<string, readonly string[]> = {
   exhibits: ["lit-html", "pathlight"],
 };
 
+/** Words, the files or folders that alone may hold them, and why. */
+const RULES: readonly [words: RegExp, files: readonly string[], reason: string][] = [
+  [
+    /innerHTML|outerHTML|insertAdjacentHTML|document\.write|unsafe\w+\(/,
+    [],
+    "what people write must not become markup",
+  ],
+  [
+    /localStorage|sessionStorage|indexedDB|document\.cookie/,
+    ["effects/keeping.ts", "exhibits/"],
+    "one file knows how a browser stores",
+  ],
+  [/\bhistory\./, ["effects/address.ts"], "one file writes the address"],
+  [/\bserviceWorker\b/, ["offline/"], "the page works without one"],
+  [/\bnew Worker\(/, ["model/shared.ts", "exhibits/"], "puzzles of a page share one"],
+];
+
+const sources = () =>
+  readdirSync(PAGE, { recursive: true, encoding: "utf8" }).filter(
+    (path) => path.endsWith(".ts") && !path.endsWith(".d.ts") && !path.startsWith("pkg"),
+  );
+const textOf = (path: string) => readFileSync(`${PAGE}/${path}`, "utf8");
+
 function importsOf(path: string): string[] {
-  const source = readFileSync(`${PAGE}/${path}`, "utf8");
+  const source = textOf(path);
   // Types are erased: they tie nothing together when the page runs.
   const values = source.replaceAll(/^import type [^;]+;$/gms, "");
   return [...values.matchAll(/^(?:import|export) [^;]*?from "([^"]+)";$/gms)].map(([, name]) => name!);
@@ -42,9 +65,7 @@ function importsOf(path: string): string[] {
 const layerOf = (path: string) => path.split(/[/.]/)[0]!;
 
 test("each part of the page imports only those below it, and core/ neither a browser's library nor wasm", () => {
-  const files = readdirSync(PAGE, { recursive: true, encoding: "utf8" }).filter(
-    (path) => path.endsWith(".ts") && !path.endsWith(".d.ts") && !path.startsWith("pkg"),
-  );
+  const files = sources();
   assert.ok(files.length > 20, "the page was found");
   for (const path of files) {
     const place = LAYERS.indexOf(layerOf(path));
@@ -60,4 +81,12 @@ test("each part of the page imports only those below it, and core/ neither a bro
       if (layerOf(path) === "core") assert.ok(!target.startsWith("pkg/page") && !target.startsWith("pkg/worker"), what);
     }
   }
+});
+
+test("what one file does is done by no other", () => {
+  for (const path of sources())
+    for (const [words, files, reason] of RULES) {
+      const code = textOf(path).replaceAll(/^\s*(\/\/|\/?\*).*$/gm, "");
+      assert.ok(!words.test(code) || files.some((one) => path.startsWith(one)), `${path}: ${words}: ${reason}`);
+    }
 });

@@ -2,14 +2,14 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { START, routed } from "../../www-next/core/change/route.ts";
-import { openSheet, toggleHidden, usePreset } from "../../www-next/core/change/sheet.ts";
-import { nextStep } from "../../www-next/core/derived/duel.ts";
-import { isAlone, isHidden, shownPanels } from "../../www-next/core/derived/hidden.ts";
-import { result } from "../../www-next/core/derived/home.ts";
-import { pageOf, readAddress, writeAddress } from "../../www-next/effects/address.ts";
+import { START, routed } from "../../www/core/change/route.ts";
+import { openSheet, toggleHidden, usePreset } from "../../www/core/change/sheet.ts";
+import { nextStep } from "../../www/core/derived/duel.ts";
+import { isAlone, isHidden, shownPanels } from "../../www/core/derived/hidden.ts";
+import { result } from "../../www/core/derived/home.ts";
+import { pageOf, readAddress, writeAddress } from "../../www/effects/address.ts";
 import { SOLVING, fresh, playAt, withTurn } from "./player.ts";
-import type { Link } from "../../www-next/core/change/route.ts";
+import type { Link } from "../../www/core/change/route.ts";
 
 const OLD: [hash: string, now: Partial<Link>][] = [
   ["", {}],

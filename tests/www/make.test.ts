@@ -26,16 +26,16 @@ import {
   turnBy,
   turnTo,
   undo,
-} from "../../www-next/core/change/make.ts";
-import { place } from "../../www-next/core/change/placement.ts";
-import { opened, START } from "../../www-next/core/change/route.ts";
-import { bodyAt, distanceTo, knobsOf, roleOf, sizeAt } from "../../www-next/core/derived/bodies.ts";
-import { readSceneText, textOfScene } from "../../www-next/core/scene-link.ts";
-import { makingKey } from "../../www-next/stage/keys.ts";
+} from "../../www/core/change/make.ts";
+import { place } from "../../www/core/change/placement.ts";
+import { opened, START } from "../../www/core/change/route.ts";
+import { bodyAt, distanceTo, knobsOf, roleOf, sizeAt } from "../../www/core/derived/bodies.ts";
+import { readSceneText, textOfScene } from "../../www/core/scene-link.ts";
+import { makingKey } from "../../www/stage/keys.ts";
 import { CUSTOM, MISSING, fresh, playAt, puzzle } from "./player.ts";
-import type { Point } from "../../www-next/core/change/placement.ts";
-import type { State } from "../../www-next/core/state.ts";
-import type { CustomBody, CustomScene } from "../../www-next/pkg/page/pathlight.js";
+import type { Point } from "../../www/core/change/placement.ts";
+import type { State } from "../../www/core/state.ts";
+import type { CustomBody, CustomScene } from "../../www/pkg/page/pathlight.js";
 
 const REACH = { knob: 4, ball: 4 };
 const BAR = 2;

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { neighbour, nextTask, taskOf } from "../../www-next/core/derived/next.ts";
+import { neighbour, nextTask, taskOf } from "../../www/core/derived/next.ts";
 
 const tasks = ["00000:000", "00000:001", "00001:000", "00001:001", "00002:000"];
 const benchmark = {

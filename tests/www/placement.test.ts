@@ -2,12 +2,12 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { cancel, drag, nudge, place, press, redo, release, undo } from "../../www-next/core/change/placement.ts";
-import { opened } from "../../www-next/core/change/route.ts";
-import { again } from "../../www-next/core/change/run.ts";
-import { START } from "../../www-next/core/change/route.ts";
+import { cancel, drag, nudge, place, press, redo, release, undo } from "../../www/core/change/placement.ts";
+import { opened } from "../../www/core/change/route.ts";
+import { again } from "../../www/core/change/run.ts";
+import { START } from "../../www/core/change/route.ts";
 import { MISSING, fresh, playAt, puzzle } from "./player.ts";
-import type { State } from "../../www-next/core/state.ts";
+import type { State } from "../../www/core/state.ts";
 
 const REACH = { knob: 5, ball: 5 };
 const ballOf = ({ placement }: State) => placement.ball;

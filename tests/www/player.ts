@@ -1,15 +1,15 @@
 // A puzzle without wasm, for the tests of the pure state: a ball at the right solves it; one at the left edge may not
 // be placed, and has room beside it.
 
-import { NOTHING_KEPT } from "../../www-next/core/change/kept.ts";
-import { answered } from "../../www-next/core/change/model.ts";
-import { place } from "../../www-next/core/change/placement.ts";
-import { START } from "../../www-next/core/change/route.ts";
-import { advance, again, drop } from "../../www-next/core/change/run.ts";
-import { start } from "../../www-next/core/state.ts";
-import { en } from "../../www-next/text/en/en.ts";
-import type { Puzzle } from "../../www-next/core/puzzle.ts";
-import type { State } from "../../www-next/core/state.ts";
+import { NOTHING_KEPT } from "../../www/core/change/kept.ts";
+import { answered } from "../../www/core/change/model.ts";
+import { place } from "../../www/core/change/placement.ts";
+import { START } from "../../www/core/change/route.ts";
+import { advance, again, drop } from "../../www/core/change/run.ts";
+import { start } from "../../www/core/state.ts";
+import { en } from "../../www/text/en/en.ts";
+import type { Puzzle } from "../../www/core/puzzle.ts";
+import type { State } from "../../www/core/state.ts";
 import type {
   AttemptLine,
   Ball,
@@ -17,7 +17,7 @@ import type {
   CustomScene,
   RolloutFacts,
   TriedProposal,
-} from "../../www-next/pkg/page/pathlight.js";
+} from "../../www/pkg/page/pathlight.js";
 
 export const SOLVING: Ball = [220, 100, 12];
 export const MISSING: Ball = [100, 100, 12];

@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { answered } from "../../www-next/core/change/model.ts";
-import { place } from "../../www-next/core/change/placement.ts";
-import { openPanel } from "../../www-next/core/change/route.ts";
-import { advance, again } from "../../www-next/core/change/run.ts";
+import { answered } from "../../www/core/change/model.ts";
+import { place } from "../../www/core/change/placement.ts";
+import { openPanel } from "../../www/core/change/route.ts";
+import { advance, again } from "../../www/core/change/run.ts";
 import {
   cancelSketch,
   dragSketch,
@@ -15,14 +15,14 @@ import {
   releaseSketch,
   takeBallAway,
   wipe,
-} from "../../www-next/core/change/sketch.ts";
-import { attempts, nextStep, verdict } from "../../www-next/core/derived/duel.ts";
-import { shownGuess, shownLayers } from "../../www-next/core/derived/imagined.ts";
-import { prediction } from "../../www-next/core/derived/prediction.ts";
+} from "../../www/core/change/sketch.ts";
+import { attempts, nextStep, verdict } from "../../www/core/derived/duel.ts";
+import { shownGuess, shownLayers } from "../../www/core/derived/imagined.ts";
+import { prediction } from "../../www/core/derived/prediction.ts";
 import { MISSING, SOLVING, fresh, withTurn } from "./player.ts";
-import type { Point } from "../../www-next/core/change/placement.ts";
-import type { ImaginedBall, Maps } from "../../www-next/pkg/page/pathlight.js";
-import type { State } from "../../www-next/core/state.ts";
+import type { Point } from "../../www/core/change/placement.ts";
+import type { ImaginedBall, Maps } from "../../www/pkg/page/pathlight.js";
+import type { State } from "../../www/core/state.ts";
 
 const REACH = { knob: 10, ball: 0 };
 const predicting = openPanel(withTurn(fresh, SOLVING), "predict");

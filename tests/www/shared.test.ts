@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { SharedModel } from "../../www-next/model/shared.ts";
+import { SharedModel } from "../../www/model/shared.ts";
 import { FakeWorker } from "./fake-worker.ts";
-import type { Model } from "../../www-next/core/change/model.ts";
+import type { Model } from "../../www/core/change/model.ts";
 
 const FILES = { worker: "worker.js", wasm: "https://a.test/w.wasm", weights: {} };
 const settled = () => new Promise((resolve) => setImmediate(resolve));

@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { keyAction } from "../../www-next/stage/keys.ts";
-import { wheelSteps } from "../../www-next/stage/wheel.ts";
-import type { KeyFacts } from "../../www-next/stage/keys.ts";
+import { keyAction } from "../../www/stage/keys.ts";
+import { wheelSteps } from "../../www/stage/wheel.ts";
+import type { KeyFacts } from "../../www/stage/keys.ts";
 
 const NONE = { ctrlKey: false, metaKey: false, altKey: false, shiftKey: false };
 const press = (key: string, code: string, held: Partial<KeyFacts> = {}) => keyAction({ ...NONE, key, code, ...held });

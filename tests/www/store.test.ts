@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Store } from "../../www-next/core/store.ts";
-import type { Effect } from "../../www-next/core/store.ts";
+import { Store } from "../../www/core/store.ts";
+import type { Effect } from "../../www/core/store.ts";
 
 interface Numbers {
   readonly asked: number | null;

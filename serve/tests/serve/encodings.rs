@@ -11,7 +11,7 @@ fn a_browser_asks_again_and_gets_what_changed() {
     assert_eq!(value(&head, "cache-control"), Some("no-cache"));
     let known = format!("If-None-Match: {}", value(&head, "etag").expect("an ETag"));
     assert!(is(&server.get("/main.js", &[&known]).0, 304));
-    fs::write(server.folder.path().join("www/main.js"), "// rebuilt").expect("a file");
+    fs::write(server.folder.path().join("page/main.js"), "// rebuilt").expect("a file");
     let (head, body) = server.get("/main.js", &[&known]);
     assert!(is(&head, 200), "{head}");
     assert_eq!(body, b"// rebuilt");
@@ -29,9 +29,9 @@ fn compress(server: &Server, path: &str) {
 fn files_are_sent_as_they_lie_compressed_beside_them() {
     let server = Server::start();
     for (path, file) in [
-        ("/", "www/index.html"),
-        ("/main.js", "www/main.js"),
-        ("/pkg/pathlight_bg.wasm", "www/pkg/pathlight_bg.wasm"),
+        ("/", "page/index.html"),
+        ("/main.js", "page/main.js"),
+        ("/pkg/pathlight_bg.wasm", "page/pkg/pathlight_bg.wasm"),
         ("/assets/weights.safetensors", "assets/weights.safetensors"),
     ] {
         compress(&server, file);
@@ -66,8 +66,8 @@ fn nothing_is_compressed_for_a_request() {
 #[test]
 fn each_encoding_has_its_own_etag() {
     let server = Server::start();
-    compress(&server, "www/main.js");
-    fs::write(server.folder.path().join("www/main.js.gz"), "another length").expect("a file");
+    compress(&server, "page/main.js");
+    fs::write(server.folder.path().join("page/main.js.gz"), "another length").expect("a file");
     let encodings = ["identity", "gzip", "br"].map(|encoding| format!("Accept-Encoding: {encoding}"));
     let etags = encodings.each_ref().map(|accept| {
         let (head, _) = server.get("/main.js", &[accept]);

@@ -73,7 +73,7 @@ fn what_is_not_an_origin_is_refused() {
 #[test]
 fn a_pipe_is_not_there() {
     let server = Server::start();
-    let pipe = server.folder.path().join("www/pipe");
+    let pipe = server.folder.path().join("page/pipe");
     assert!(Command::new("mkfifo").arg(pipe).status().expect("mkfifo runs").success());
     assert!(is(&server.get("/pipe", &[]).0, 404));
 }
@@ -116,10 +116,10 @@ fn nothing_outside_the_folders_is_served() {
 #[test]
 fn a_link_that_leads_out_is_not_followed() {
     let server = Server::start();
-    let www = server.folder.path().join("www");
-    std::os::unix::fs::symlink("../secret.txt", www.join("out.txt")).expect("a link");
-    std::os::unix::fs::symlink("..", www.join("up")).expect("a link");
-    std::os::unix::fs::symlink("main.js", www.join("in.js")).expect("a link");
+    let page = server.folder.path().join("page");
+    std::os::unix::fs::symlink("../secret.txt", page.join("out.txt")).expect("a link");
+    std::os::unix::fs::symlink("..", page.join("up")).expect("a link");
+    std::os::unix::fs::symlink("main.js", page.join("in.js")).expect("a link");
     assert!(is(&server.get("/out.txt", &[]).0, 404));
     assert!(is(&server.get("/up/secret.txt", &[]).0, 404));
     assert!(is(&server.get("/in.js", &[]).0, 200));

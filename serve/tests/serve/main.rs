@@ -37,17 +37,17 @@ struct Server {
     folder: TempDir,
 }
 
-/// Creates the folders that it serves by default: `www` and `assets`.
+/// Creates the folders that it serves by default: `page` and `assets`.
 fn page() -> TempDir {
     let folder = tempdir().expect("a folder");
     let root = folder.path();
-    for inner in ["www/pkg", "assets"] {
+    for inner in ["page/pkg", "assets"] {
         fs::create_dir_all(root.join(inner)).expect("a folder");
     }
-    fs::write(root.join("www/index.html"), "<!doctype html><title>page</title>".repeat(10)).expect("a file");
-    fs::write(root.join("www/main.js"), "// script\n".repeat(100)).expect("a file");
-    fs::write(root.join("www/style.css"), "a { color: red }").expect("a file");
-    fs::write(root.join("www/pkg/pathlight_bg.wasm"), [b'w'; 100_000]).expect("a file");
+    fs::write(root.join("page/index.html"), "<!doctype html><title>page</title>".repeat(10)).expect("a file");
+    fs::write(root.join("page/main.js"), "// script\n".repeat(100)).expect("a file");
+    fs::write(root.join("page/style.css"), "a { color: red }").expect("a file");
+    fs::write(root.join("page/pkg/pathlight_bg.wasm"), [b'w'; 100_000]).expect("a file");
     fs::write(root.join("assets/weights.safetensors"), [b's'; 5_000]).expect("a file");
     fs::write(root.join("secret.txt"), "secret").expect("a file");
     folder

@@ -61,7 +61,7 @@ fn files_are_only_read() {
         assert!(is(&answer, 405) || is(&answer, 400), "{method}: {answer}");
         assert!(!answer.contains("// script"), "{method}: {answer}");
     }
-    let before = std::fs::read_to_string(server.folder.path().join("www/main.js")).expect("a file");
+    let before = std::fs::read_to_string(server.folder.path().join("page/main.js")).expect("a file");
     assert_eq!(before, "// script\n".repeat(100));
 }
 

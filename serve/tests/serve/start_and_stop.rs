@@ -10,8 +10,8 @@ use super::{Server, assert_refused, is};
 #[test]
 fn a_taken_port_is_refused_with_the_remedy() {
     let server = Server::start();
-    let (www, assets) = (server.folder.path().join("www"), server.folder.path().join("assets"));
-    let folders = ["--dir", www.to_str().expect("UTF-8"), "--assets", assets.to_str().expect("UTF-8")];
+    let (page, assets) = (server.folder.path().join("page"), server.folder.path().join("assets"));
+    let folders = ["--dir", page.to_str().expect("UTF-8"), "--assets", assets.to_str().expect("UTF-8")];
     let args = [&["--port", server.port()][..], &folders].concat();
     assert_refused(&args, &format!("port {} is in use by another program: choose another", server.port()));
 }
