@@ -7,6 +7,7 @@ import { addressEffect, pageOf, readAddress } from "./effects/address.ts";
 import { recordedEffect } from "./effects/home.ts";
 import { cardEffect, qrEffect } from "./effects/sharing.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
+import { takeOver } from "./effects/old-keeping.ts";
 import { documentEffect } from "./effects/language.ts";
 import { loadSimulator, openPuzzle } from "./simulator.ts";
 import { loadText } from "./text/text.ts";
@@ -33,6 +34,7 @@ async function run(root: HTMLElement): Promise<void> {
   const effects = [addressEffect, documentEffect, keepingEffect(), recorded, cardEffect, qrEffect];
   const { store } = await mount({ ...given, embedded: false, effects }, forever);
   listenToOtherTabs(store, forever);
+  void takeOver(store);
   if (shared && "problem" in shared) store.change(setNotice, { kind: "bad_scene", ...shared });
   else if (link.task !== null && !named) store.change(setNotice, { kind: "no_task", task: link.task });
   else if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });

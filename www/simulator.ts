@@ -184,6 +184,15 @@ export function readAttempt({ task, scene, ball }: Partial<AttemptLine>): { key:
   }
 }
 
+/** By which attempts at a custom scene are kept; null if it may not be played. */
+export function digestOf(scene: CustomScene): string | null {
+  try {
+    return sceneDigest(scene);
+  } catch {
+    return null;
+  }
+}
+
 /** A map over the scene, small. */
 export function mapTile(puzzle: Puzzle, name: MapName, values: Float32Array, dark: boolean): HTMLCanvasElement {
   return picture(tiles, values, dark, SCENE_SIZE, (context) => {

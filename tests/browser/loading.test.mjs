@@ -1,7 +1,8 @@
 // Files that cannot be loaded: what the page of www says went wrong, and what helps.
 
+import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { EASY, button, modelIsThere, startPlayer } from "./player.mjs";
+import { EASY, button, known, modelIsThere, startPlayer } from "./player.mjs";
 
 let session;
 before(async () => {
@@ -68,6 +69,27 @@ for (const [name, url, handler, sentence] of CASES)
     await page.getByText(sentence).waitFor();
     session.problems.length = 0;
   });
+
+test("what an earlier version has kept in the browser is taken over once", async () => {
+  const { missing } = await known();
+  const page = await session.open("");
+  const attempt = { task: EASY, by: "player", ball: missing[0], status: "not_solved", steps: 90, simulator: 3 };
+  const lines = [attempt, { ...attempt, by: "within-0" }].map((line) => JSON.stringify(line)).join("\n");
+  await page.addInitScript(
+    ([key, lines]) => {
+      if (sessionStorage.length === 0) localStorage.setItem(key, lines);
+      sessionStorage.setItem("begun", "");
+    },
+    [`pathlight.attempts.${EASY}`, lines],
+  );
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  const list = page.getByRole("list", { name: "You against the model" }).getByRole("button");
+  await list.waitFor();
+  await page.waitForFunction(() => Object.keys(localStorage).length === 1);
+  await page.reload();
+  await list.waitFor();
+  assert.equal(await list.count(), 1);
+});
 
 test("without a connection one plays on, and the model comes with it", async () => {
   const page = await session.open("");

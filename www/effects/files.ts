@@ -46,11 +46,22 @@ export function saveMaps(store: Store<State>): void {
   canvas.toBlob((blob) => (blob ? download(new File([blob], file)) : store.change(setNotice, { kind: "no_picture" })));
 }
 
-/** Reads a file of attempts; each is simulated again, so that what is kept is true. */
 export async function openFile(store: Store<State>, file: File): Promise<void> {
-  const attempts: Record<string, AttemptLine[]> = {};
   const text = file.size > LARGEST ? "" : await file.text();
-  const values = [...parsedLines(text)];
+  const { attempts, unread } = await attemptsOf([...parsedLines(text)], (share) =>
+    store.change(setNotice, { kind: "opening", share: Math.floor(10 * share) / 10 }),
+  );
+  const found = attemptCount(attempts);
+  if (found === 0) return store.change(setNotice, { kind: "no_attempts", file: file.name });
+  const before = attemptCount(store.state.kept.attempts);
+  store.change(openAttempts, attempts);
+  const added = attemptCount(store.state.kept.attempts) - before;
+  store.change(setNotice, { kind: "opened", added, found, unread });
+}
+
+/** Reads attempts by their puzzles. Each is simulated again, so that what is kept is true. */
+export async function attemptsOf(values: readonly unknown[], onProgress: (share: number) => void = () => {}) {
+  const attempts: Record<string, AttemptLine[]> = {};
   let unread = 0;
   let rest = performance.now() + SLICE;
   for (const [index, value] of values.entries()) {
@@ -58,16 +69,11 @@ export async function openFile(store: Store<State>, file: File): Promise<void> {
     if (read) (attempts[read.key] ??= []).push(read.line);
     else unread += 1;
     if (performance.now() < rest) continue;
-    store.change(setNotice, { kind: "opening", share: Math.floor((10 * index) / values.length) / 10 });
+    onProgress(index / values.length);
     await new Promise((resolve) => setTimeout(resolve));
     rest = performance.now() + SLICE;
   }
-  const found = attemptCount(attempts);
-  if (found === 0) return store.change(setNotice, { kind: "no_attempts", file: file.name });
-  const before = attemptCount(store.state.kept.attempts);
-  store.change(openAttempts, attempts);
-  const added = attemptCount(store.state.kept.attempts) - before;
-  store.change(setNotice, { kind: "opened", added, found, unread });
+  return { attempts, unread };
 }
 
 function nameOf({ puzzle }: State): string {
