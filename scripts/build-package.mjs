@@ -1,5 +1,6 @@
-// Packs target/pathlight-VERSION.tgz, the npm package: the package for scripts and the element, each as one bundle, with
-// the worker, the declarations that tsc writes, the wasm, one model and the README of package/. Prints the sizes by part.
+// Packs target/pathlight-VERSION.tgz, the npm package: the package for scripts and the element, each as one bundle,
+// with the worker, the declarations that tsc writes, the wasm, one model and the README of package/. Prints the sizes
+// by part.
 
 import { execFileSync } from "node:child_process";
 import { appendFileSync, copyFileSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";

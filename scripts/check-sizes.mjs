@@ -1,5 +1,5 @@
-// Checks that no part of the page has grown unseen: node scripts/check-sizes.mjs (`make dist` builds it). Whoever makes a
-// part larger on purpose raises its limit here.
+// Checks that no part of the page has grown unseen: node scripts/check-sizes.mjs (`make dist` builds it). Whoever makes
+// a part larger on purpose raises its limit here.
 
 import { existsSync } from "node:fs";
 import { readFile, readdir } from "node:fs/promises";

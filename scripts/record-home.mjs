@@ -1,6 +1,6 @@
 // Records what the home page shows before any weights are there: node scripts/record-home.mjs writes assets/home.json
-// (needs `make package`). Nothing in it is drawn by hand: all of it comes from the first model of assets/model.json, and
-// from assets/results.json.
+// (needs `make package`). Nothing in it is drawn by hand: all of it comes from the first model of assets/model.json,
+// and from assets/results.json.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
