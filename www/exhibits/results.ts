@@ -194,6 +194,7 @@ function means({ ours, online_with_other_data: otherData, published, paper }: Re
     const found = ours.find(({ agent }) => agent === name);
     return found ? [row(words.agents[name], found.auccess)] : [];
   });
+  const listed = ours.find(({ agent }) => agent === "listed");
   // Its net of the cross setup is the only one that has learned from none of PHYRE's tasks.
   const marked = otherData.map((auccess, index) => (auccess === null ? "–" : index === 1 ? `${auccess} †` : auccess));
   return html`<h2 id="means">${words.means}</h2>
@@ -212,6 +213,7 @@ function means({ ours, online_with_other_data: otherData, published, paper }: Re
             <th scope="rowgroup" colspan="3">${words.ours}</th>
           </tr>
           ${otherData.some(Boolean) ? row(words.otherData, marked) : nothing} ${rows}
+          ${listed ? row(words.listed, listed.auccess) : nothing}
         </tbody>
         <tbody>
           <tr>

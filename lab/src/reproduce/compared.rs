@@ -11,9 +11,12 @@ use serde::Serialize;
 
 use super::fold_result::{self, FoldResult};
 use super::other_data::{self, Table};
+use crate::files::json_file;
 use crate::measure::agents::{AGENTS, MeasuredAgent};
 use crate::measure::paper_table::{self, ByTemplate};
 use crate::measure::report::Report;
+use crate::measure::shipped::Measurement;
+use crate::measure::task_set::TaskSet;
 
 /// Published auccess, mean over the ten folds, on PHYRE's own engine.
 #[derive(Serialize)]
@@ -34,7 +37,7 @@ pub const REPORTED: [(&str, Published); 3] = [
     ("DQN", Published { method: "DQN", source: HARTER[0], url: HARTER[1], auccess: ["77", "37"] }),
     ("the paper's nets", Published { method: "", source: HARTER[0], url: HARTER[1], auccess: ["62", "31"] }),
     (
-        "random",
+        "RAND",
         Published {
             method: "RAND",
             source: "Bakhtin et al. (2019)",
@@ -131,7 +134,7 @@ pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
     }
     let paper = Some(results.join("paper")).filter(|folder| folder.exists());
     Ok(Comparison {
-        ours: our_means(&folds),
+        ours: our_means(&folds).into_iter().chain(listed(results)?).collect(),
         online_with_other_data: online_with_other_data(results)?,
         published: BEST.into_iter().chain(REPORTED.map(|(_, published)| published)).collect(),
         paper: paper.map(|folder| paper_table::by_template(&folder)).transpose()?,
@@ -155,13 +158,38 @@ pub fn our_means(results: &[FoldResult]) -> Vec<AgentMean> {
         mean_and_deviation(&scores(of_setup, agent))
     };
     let of_agent = |agent| AgentMean { agent, auccess: [Setup::Within, Setup::Cross].map(|setup| mean(setup, agent)) };
-    in_tables(results).map(|measured| of_agent(measured.agent)).collect()
+    on_folds().map(|measured| of_agent(measured.agent)).collect()
 }
 
-/// Returns the agents that tables of these results have: all but RAND, which has only a row where it was measured.
-pub fn in_tables(results: &[FoldResult]) -> impl Iterator<Item = &'static MeasuredAgent> {
-    let is_measured = |agent| results.iter().any(|result| result.report.score(agent).is_some());
-    AGENTS.iter().filter(move |row| row.agent != AgentName::Listed || is_measured(row.agent))
+/// Returns the auccess of RAND as it was published. It learns nothing, so it was measured on all tasks at once; `None`
+/// if the folder has no such file.
+///
+/// # Errors
+/// If the file is damaged, or not of all tasks.
+pub fn listed(results: &Path) -> anyhow::Result<Option<AgentMean>> {
+    let path = results.join("listed.json");
+    if !path.exists() {
+        return Ok(None);
+    }
+    const COMMAND: &str = "pathlight-lab measure evaluate --agent listed --all-tasks --json results/listed.json";
+    let report: Report = json_file::read(&path, COMMAND)?;
+    let agent = AgentName::Listed;
+    ensure!(
+        report.is_whole(&TaskSet::All.tasks(FoldId::default(), None), report.simulator)
+            && report.score(agent).is_some(),
+        "{} does not hold the agent {agent} on all tasks: remove it, and run `{COMMAND}` again",
+        path.display()
+    );
+    let mean = |setup| {
+        let folds = FoldId::all().filter(|fold| fold.setup == setup).map(|fold| report.on_fold(fold));
+        mean_and_deviation(&scores(folds.collect::<Vec<_>>().iter(), agent))
+    };
+    Ok(Some(AgentMean { agent, auccess: [Setup::Within, Setup::Cross].map(mean) }))
+}
+
+/// The agents of each fold; RAND has one result for all.
+pub fn on_folds() -> impl Iterator<Item = &'static MeasuredAgent> {
+    AGENTS.iter().filter(|row| row.agent != AgentName::Listed)
 }
 
 /// Returns the auccess of an agent in the reports that have it.

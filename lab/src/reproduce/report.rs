@@ -8,7 +8,7 @@ use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 
 use super::compared::{
-    AgentMean, Published, REPORTED, in_tables, mean_and_deviation, online_with_other_data, our_means,
+    AgentMean, Published, REPORTED, listed, mean_and_deviation, on_folds, online_with_other_data, our_means,
 };
 use super::fold_result::{FoldResult, Hyperparameters};
 use super::training_report;
@@ -35,7 +35,7 @@ pub fn write(results: &[FoldResult], folder: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
     let other_data = online_with_other_data(folder)?;
     head(&mut text, results, &other_data, folder)?;
-    table(&mut text, results, &other_data)?;
+    table(&mut text, results, &other_data, folder)?;
     ablations(&mut text, results)?;
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
@@ -94,14 +94,19 @@ fn head(
 }
 
 /// The mean of each agent over the folds, and what was published.
-fn table(text: &mut String, results: &[FoldResult], other_data: &[Option<String>; 2]) -> anyhow::Result<()> {
+fn table(
+    text: &mut String,
+    results: &[FoldResult],
+    other_data: &[Option<String>; 2],
+    folder: &Path,
+) -> anyhow::Result<()> {
     writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
     writeln!(text, "| agent | simulator | within | cross |\n| --- | --- | ---: | ---: |")?;
     if other_data.iter().any(Option::is_some) {
         let [within, cross] = other_data.each_ref().map(|auccess| auccess.as_deref().unwrap_or("–"));
         writeln!(text, "| **{OTHER_DATA}** | ours | {within} | {cross} |")?;
     }
-    for AgentMean { agent, auccess: [within, cross] } in our_means(results) {
+    for AgentMean { agent, auccess: [within, cross] } in our_means(results).into_iter().chain(listed(folder)?) {
         writeln!(text, "| **{}** | ours | {within} | {cross} |", row(agent).label)?;
     }
     for (label, Published { auccess: [within, cross], .. }) in REPORTED {
@@ -111,7 +116,9 @@ fn table(text: &mut String, results: &[FoldResult], other_data: &[Option<String>
     writeln!(
         text,
         "\nOur folds: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
-         random by the benchmark. That one plays a fixed list of actions on all tasks, so it is no measure for ours.",
+         RAND, which plays one list of actions on all tasks, by the benchmark. Ours plays the same list, in \
+         version 4 of the simulator: that it scores the same shows that scenes, valid balls, physics, folds and metric \
+         are PHYRE's.",
         folds.join("; ")
     )?;
     Ok(())
@@ -153,12 +160,11 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         text,
         "\n## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
     )?;
-    let names: Vec<&str> = in_tables(results).map(|agent| agent.label).collect();
+    let names: Vec<&str> = on_folds().map(|agent| agent.label).collect();
     let columns = " ---: |".repeat(2 + names.len());
     writeln!(text, "| setup | fold | test tasks | {} |\n| --- |{columns}", names.join(" | "))?;
     for result in results {
-        let cells =
-            in_tables(results).map(|agent| result.report.score(agent.agent).map_or("–".to_string(), score_cell));
+        let cells = on_folds().map(|agent| result.report.score(agent.agent).map_or("–".to_string(), score_cell));
         let cells: Vec<String> = cells.collect();
         let tasks = result.report.first_solved(AgentName::Random, None).len();
         writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;

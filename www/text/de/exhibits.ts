@@ -69,6 +69,7 @@ export const exhibits: ExhibitText = {
       paper: "paper: die vier Netze des Fachartikels allein",
       random: "random: zufällige Kugeln",
     },
+    listed: "RAND: PHYREs eigene Liste zufälliger Kugeln, wie veröffentlicht",
     auccess: "AUCCESS auf dieser einen Aufteilung",
     auccessHint: "0: nichts wird gelöst; 100: alles mit der ersten Kugel.",
     solved: (most) => (most === 1 ? "mit der ersten Kugel gelöst" : `mit höchstens ${most} Kugeln gelöst`),

@@ -70,6 +70,7 @@ export const exhibits = {
       paper: "paper: the paper’s four nets alone",
       random: "random: balls at random",
     },
+    listed: "RAND: PHYRE’s own list of random balls, as published",
     auccess: "AUCCESS on this one split",
     auccessHint: "0: nothing is solved; 100: everything with the first ball.",
     solved: (most: number) => (most === 1 ? "solved with the first ball" : `solved within ${most} balls`),
