@@ -27,7 +27,7 @@
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
 //! | `nets` | the nets: the four, success net, dynamics net and DQN, and their weights; `training` is a feature |
 //! | `agents` | what proposes balls: from imagined paths, from maps, at random |
-//! | `session` | one session on one puzzle: what is played, the attempts of player and model, an agent's turn |
+//! | `session` | one session on one puzzle: what is played, an agent's turn, how a rollout ended |
 //! | `verification` | attempts that anyone can simulate again |
 //! | `search` | the solutions of a scene, the map of all solutions, luck |
 //! | `web` | the wasm exports; wasm32 only |

@@ -1,7 +1,7 @@
 //! The result of a simulation as plain data: whether it solved the task, and the pose of every dynamic body at every
 //! step.
 //!
-//! Made by `simulator`; played back by the page, drawn by `raster`, summarised by `session::game`.
+//! Made by `simulator`; played back by the page, drawn by `raster`, summarised by `session::ending`.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,13 +1,21 @@
-//! The end of a rollout in brief: whether it solved the puzzle and how long the object touched the goal.
+//! The end of a rollout in brief: whether it solved the puzzle, how long the object touched the goal, and when all that
+//! can be seen is over.
 //!
-//! Used by `game`, and by the page to show the touch while a rollout plays.
+//! The page lists endings, and shows the touch while a rollout plays.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-use crate::puzzle::rollout::{GOAL_STEPS, Rollout};
+use crate::puzzle::rollout::{GOAL_STEPS, Pose, Rollout};
+
+/// A body that moves less than this in a step looks still, px.
+const STILL: f32 = 0.05;
+/// So does one that turns less than this, radians.
+const STILL_ANGLE: f32 = 0.005;
+/// For how long the eye sees that everything has come to rest, steps.
+const REST: usize = 24;
 
 /// How a rollout ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Ending {
     /// Whether the puzzle was solved.
     pub solved: bool,
@@ -32,6 +40,18 @@ impl Ending {
 /// `GOAL_STEPS`.
 pub fn touch_streak(rollout: &Rollout, step: usize) -> usize {
     rollout.touching[..=step.min(rollout.steps)].iter().rev().take(GOAL_STEPS).take_while(|&&touches| touches).count()
+}
+
+/// Returns the step after which nothing that can be seen happens any more: a moment after all has come to rest.
+pub fn visible_end(rollout: &Rollout) -> usize {
+    let still = |(before, after): (&Pose, &Pose)| {
+        let [x, y, angle] = std::array::from_fn(|axis| (after[axis] - before[axis]).abs());
+        x < STILL && y < STILL && angle < STILL_ANGLE
+    };
+    let is_quiet =
+        |step: usize| !rollout.touching[step] && rollout.row(step - 1).iter().zip(rollout.row(step)).all(still);
+    let still_from = (1..=rollout.steps).rev().find(|&step| !is_quiet(step)).unwrap_or(0);
+    (still_from + REST).min(rollout.still_from())
 }
 
 #[cfg(test)]
@@ -61,5 +81,18 @@ mod tests {
         let rollout = rollout(&[true, true, false, true, true, true], false);
         let streaks: Vec<_> = (0..=5).map(|step| touch_streak(&rollout, step)).collect();
         assert_eq!(streaks, [1, 2, 0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn a_rollout_that_only_creeps_on_ends_a_moment_after_it_has_come_to_rest() {
+        let creeping = |step: usize| [step.min(9) as f32 + 0.01 * step as f32, 0.0, 0.0];
+        let of = |steps: usize, touches: bool| Rollout {
+            bodies: vec![0],
+            poses: (0..=steps).map(creeping).collect(),
+            ..rollout(&vec![touches; steps + 1], false)
+        };
+        assert_eq!(visible_end(&of(200, false)), 9 + REST);
+        assert_eq!(visible_end(&of(20, false)), 20);
+        assert_eq!(visible_end(&of(200, true)), 200);
     }
 }

@@ -1,9 +1,6 @@
-//! One session on one puzzle: what is played and whether it may be, the attempts of player and model, and an agent's
-//! turn.
+//! One session on one puzzle: what is played and whether it may be, an agent's turn, and how a rollout ended.
 
 pub mod ending;
-pub mod game;
-pub mod moments;
 pub mod puzzle;
 pub mod scene_check;
 #[cfg(feature = "nets")]

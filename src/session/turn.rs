@@ -3,8 +3,8 @@
 //!
 //! The page's worker and `evaluate` both run agents by it, so what is measured is what is seen.
 
-use super::game::ATTEMPT_LIMIT;
 use crate::agents::{Agent, Observation, Proposal};
+use crate::benchmark::auccess::MAX_ATTEMPTS;
 use crate::puzzle::action::Invalid;
 use crate::puzzle::recorded_paths::RecordedPaths;
 use crate::puzzle::rollout::Rollout;
@@ -49,7 +49,7 @@ impl Turn {
     /// # Errors
     /// If the agent proposes an invalid ball.
     pub fn attempt(&mut self) -> Result<Option<(Proposal, Rollout)>, Invalid> {
-        if self.solved || self.used == ATTEMPT_LIMIT {
+        if self.solved || self.used == MAX_ATTEMPTS {
             return Ok(None);
         }
         let Some(proposal) = self.agent.propose() else { return Ok(None) };
@@ -123,8 +123,8 @@ mod tests {
         let proposal = Proposal { ball, origin: Origin::Uniform, rejected: 0 };
         let turn = |count: usize| Turn::new(scene.clone(), Box::new(vec![proposal; count].into_iter()));
         assert_eq!(turn(3).first_solved(), Ok(None));
-        let mut long = turn(ATTEMPT_LIMIT + 1);
+        let mut long = turn(MAX_ATTEMPTS + 1);
         let made = std::iter::from_fn(|| long.attempt().expect("valid")).count();
-        assert_eq!(made, ATTEMPT_LIMIT);
+        assert_eq!(made, MAX_ATTEMPTS);
     }
 }

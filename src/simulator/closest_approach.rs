@@ -1,7 +1,7 @@
 //! How near the green object came to its goal in a rollout, and when: what a person is told after a miss.
 
 use rapier2d::math::Vector;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::distance::{Outline, pose_of};
 use super::units::{PX_PER_METRE, point_in_px};
@@ -9,7 +9,7 @@ use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 
 /// The moment at which the green object was nearest to its goal.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClosestApproach {
     /// The first such step.
     pub step: usize,

@@ -1,7 +1,7 @@
 //! When and where the ball first touches the green object in a rollout. The page draws a spark there.
 
 use rapier2d::math::Vector;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::distance::{Outline, pose_of};
 use super::units::{PX_PER_METRE, metres};
@@ -13,7 +13,7 @@ use crate::puzzle::scene::Scene;
 const TOUCHING: f64 = 0.5;
 
 /// A contact of the ball with the green object.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// The first such step.
     pub step: usize,

@@ -1,26 +1,24 @@
-//! The exports for those who make scenes: a task as a custom scene, its problems, and the limits.
+//! The exports for those who make scenes: a task as a custom scene, its problems, the limits, and how it looks.
 
 use std::ops::RangeInclusive;
 
-use serde::Serialize;
+use serde_json::json;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use super::error::{Code, error, from_js, to_js};
+use super::data::{self, from_js, to_js};
+use super::error::{Code, error};
 use super::frame::{self, View};
-use super::puzzle_from_js::{load, plain_scene};
-use crate::puzzle::custom_scene::{BODIES, CustomScene, MAX_OVERLAP, NAME_LENGTH, Problem};
+use super::puzzle::{JsPuzzle, bad_scene, load};
+use crate::puzzle::custom_scene::{BODIES, CustomScene, MAX_OVERLAP, NAME_LENGTH};
 use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIGHT, STICK_LENGTH};
 use crate::session::puzzle::Puzzle;
 use crate::session::scene_check::problems;
 
-/// Returns a task in the form of custom scenes, in which it can be changed.
-///
-/// # Errors
-/// `bad_task` if there is no such task, `bad_scene` if it is a custom scene that may not be played.
+/// Returns a puzzle in the form of custom scenes, in which it can be changed.
 #[wasm_bindgen(js_name = customScene, unchecked_return_type = "CustomScene")]
-pub fn custom_scene(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -> Result<JsValue, JsValue> {
-    let puzzle = load(puzzle)?;
+pub fn custom_scene(puzzle: JsPuzzle) -> Result<JsValue, JsValue> {
+    let puzzle = load(&puzzle)?;
     let custom = puzzle.custom.or_else(|| CustomScene::of(&puzzle.scene));
     to_js(&custom.ok_or_else(|| error(Code::BadScene, "the scene has a body of no known shape"))?)
 }
@@ -28,53 +26,35 @@ pub fn custom_scene(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsV
 /// Returns reasons why a value cannot be played as a custom scene; an empty list if it can. Never fails: that a value
 /// is no scene at all is such a reason.
 #[wasm_bindgen(js_name = sceneProblems, unchecked_return_type = "SceneProblem[]")]
-pub fn scene_problems(#[wasm_bindgen(unchecked_param_type = "unknown")] value: JsValue) -> Result<JsValue, JsValue> {
-    let found = CustomScene::read(plain_scene(&value)).map_or_else(|problems| problems, |custom| problems(&custom));
-    to_js(&found)
+pub fn scene_problems(#[wasm_bindgen(unchecked_param_type = "unknown")] value: &JsValue) -> Result<JsValue, JsValue> {
+    to_js(&CustomScene::read(data::json(value)).map_or_else(|problems| problems, |custom| problems(&custom)))
 }
 
 /// Returns the SHA-256, in hexadecimal, of a custom scene without its name: equal for scenes that play alike.
-///
-/// # Errors
-/// `bad_scene` if it is no custom scene, or may not be played.
 #[wasm_bindgen(js_name = sceneDigest)]
 pub fn scene_digest(#[wasm_bindgen(unchecked_param_type = "CustomScene")] scene: &JsValue) -> Result<String, JsValue> {
-    let puzzle = Puzzle::read(plain_scene(scene)).map_err(|problems| error(Code::BadScene, &problems[0]))?;
+    let puzzle = Puzzle::read(data::json(scene)).map_err(|problems| bad_scene(&problems))?;
     Ok(puzzle.id.digest().expect("a custom scene"))
 }
 
 /// Returns the limits of custom scenes.
 #[wasm_bindgen(js_name = sceneLimits, unchecked_return_type = "SceneLimits")]
 pub fn scene_limits() -> Result<JsValue, JsValue> {
-    #[derive(Serialize)]
-    struct SceneLimits {
-        bodies: [usize; 2],
-        ball_radius: [f64; 2],
-        bar_length: [f64; 2],
-        bar_thickness: [f64; 2],
-        jar_height: [f64; 2],
-        stick_length: [f64; 2],
-        max_overlap: f64,
-        name_length: usize,
-    }
     let ends = |range: RangeInclusive<f64>| [*range.start(), *range.end()];
-    to_js(&SceneLimits {
-        bodies: [*BODIES.start(), *BODIES.end()],
-        ball_radius: ends(BALL_RADIUS),
-        bar_length: ends(BAR_LENGTH),
-        bar_thickness: ends(BAR_THICKNESS),
-        jar_height: ends(JAR_HEIGHT),
-        stick_length: ends(STICK_LENGTH),
-        max_overlap: MAX_OVERLAP,
-        name_length: NAME_LENGTH,
-    })
+    to_js(&json!({
+        "bodies": [BODIES.start(), BODIES.end()],
+        "ball_radius": ends(BALL_RADIUS),
+        "bar_length": ends(BAR_LENGTH),
+        "bar_thickness": ends(BAR_THICKNESS),
+        "jar_height": ends(JAR_HEIGHT),
+        "stick_length": ends(STICK_LENGTH),
+        "max_overlap": MAX_OVERLAP,
+        "name_length": NAME_LENGTH,
+    }))
 }
 
 /// Draws a custom scene as it is being made into a square canvas, also one that may not be played: the scene, the maps
 /// over it, and the ball of the view.
-///
-/// # Errors
-/// `bad_scene` if it cannot be read, `bad_data` if the view does not have the agreed form.
 #[wasm_bindgen(js_name = paintEditedScene)]
 pub fn paint_edited_scene(
     context: &CanvasRenderingContext2d,
@@ -82,8 +62,7 @@ pub fn paint_edited_scene(
     #[wasm_bindgen(unchecked_param_type = "View")] view: JsValue,
     maps: Vec<HtmlCanvasElement>,
 ) -> Result<(), JsValue> {
-    let unreadable = |problems: Vec<Problem>| error(Code::BadScene, &problems[0]);
-    let custom = CustomScene::read(plain_scene(scene)).map_err(unreadable)?;
+    let custom = CustomScene::read(data::json(scene)).map_err(|problems| bad_scene(&problems))?;
     if custom.bodies.len() <= custom.body1.max(custom.body2) {
         return Err(error(Code::BadScene, "the goal of the scene names a body that it does not have"));
     }
@@ -92,6 +71,7 @@ pub fn paint_edited_scene(
         return Err(error(Code::BadScene, format!("the {name} of a body is {length}, but has to be positive")));
     }
     let scene = custom.to_scene();
-    let view: View = from_js(view)?;
-    frame::paint(context, &scene, &[], &view.checked_in(&scene), &maps)
+    let mut view: View = from_js(view)?;
+    view.valid = view.ball.is_none_or(|ball| ball.check(&scene).is_ok());
+    frame::paint(context, &scene, &[], &view, &maps)
 }

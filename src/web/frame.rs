@@ -1,21 +1,24 @@
-//! One frame of the page: the order in which its layers are drawn.
+//! One frame: what it shows, and the order in which its layers are drawn. `paint`, `marks` and `imagined` do the
+//! drawing.
 //!
-//! From the bottom: ribbons, static bodies, maps, imagined paths, paths, dynamic bodies, balls, ghosts, the spark,
-//! marks, the sketch, and the ring or the knob. Used by `game_view` and `custom_scene`; `paint`, `ribbon` and `marks`
-//! do the drawing.
+//! From the bottom: ribbons, static bodies, maps, imagined paths, paths, dynamic bodies, balls, names, the closest
+//! approach, ghosts, the spark, marks, the sketch, and the ring or the ball that is being placed.
+
+use std::rc::Rc;
 
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use super::imagined_paths::{Hint, ImaginedPaths};
+use super::imagined::{Hint, Imagined};
 use super::marks::NAME_HEIGHT;
-use super::paint::{LineStyle, Painter, bounding_radius};
-use super::recording::Recording;
+use super::paint::{Line, Painter, bounding_radius};
+use super::puzzle::{JsPuzzle, load};
 use crate::puzzle::action::Ball;
-use crate::puzzle::rollout::GOAL_STEPS;
+use crate::puzzle::rollout::{GOAL_STEPS, Pose, Rollout};
 use crate::puzzle::scene::{Role, Scene};
 use crate::session::ending::touch_streak;
+use crate::simulator::{ClosestApproach, Contact};
 
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;
@@ -26,96 +29,61 @@ const APART: [f32; 3] = [1.0, 1.0, 0.03];
 /// How long a spark is seen, steps.
 const SPARK_STEPS: f64 = 20.0;
 
-/// What a frame shows.
-#[derive(Deserialize)]
+/// What a frame shows; `types.d.ts` describes it.
+#[derive(Default, Deserialize)]
+#[serde(default)]
 pub(crate) struct View {
-    /// Steps since the start; a fraction lies between two steps.
     step: f64,
-    /// The ball being placed.
-    ball: Option<Ball>,
-    /// Whether that ball may be placed there.
-    valid: bool,
-    /// The radius of the knob on that ball, px; 0 draws none.
+    pub ball: Option<Ball>,
+    pub valid: bool,
     knob: f64,
-    /// Draws whole paths and not only up to the step.
     whole: bool,
-    /// Opacity of the maps, 0..=1.
     opacity: f64,
     dark: bool,
-    /// The balls of other attempts.
-    #[serde(default)]
-    marks: Vec<Mark>,
-    /// What a person has drawn as the path of the green object, px.
-    #[serde(default)]
+    marks: Vec<Ball>,
     sketch: Vec<[f64; 2]>,
-    /// What the model imagines for a ball.
-    #[serde(default)]
-    imagined: Option<ImaginedPaths>,
-    #[serde(default)]
+    imagined: Option<Imagined>,
     hints: Vec<Hint>,
-    /// Where the first rollout came nearest to the goal.
-    #[serde(default)]
-    approach: Option<Approach>,
-    /// A contact that sparks.
-    #[serde(default)]
-    spark: Option<Spark>,
-    /// Whose ball is whose, beside the balls of the recordings in order.
-    #[serde(default)]
+    approach: Option<ClosestApproach>,
+    spark: Option<Contact>,
     names: Vec<String>,
 }
 
-/// A contact that sparks for a moment after its step.
-#[derive(Deserialize)]
-struct Spark {
-    step: f64,
-    point: [f64; 2],
+/// A rollout that is shown.
+pub(crate) struct Recording {
+    /// `None` if the scene runs without a ball.
+    pub ball: Option<Ball>,
+    pub rollout: Rc<Rollout>,
+    /// Whether the ball is the model's.
+    pub of_model: bool,
 }
 
-/// A closest approach that is shown: how object and goal lay, and the gap between them.
-#[derive(Deserialize)]
-struct Approach {
-    step: f64,
-    points: [[f64; 2]; 2],
-}
-
-/// A ball that is only marked.
-#[derive(Deserialize)]
-struct Mark {
-    ball: Ball,
-    /// The place that it comes from, px.
-    from: Option<[f64; 2]>,
-    /// Whether it is the selected one.
-    chosen: bool,
-}
-
-impl View {
-    /// A view of the end of the current recordings: every body in its last pose, whole paths.
-    pub(crate) fn ended(dark: bool) -> View {
-        View {
-            step: f64::INFINITY,
-            ball: None,
-            valid: true,
-            knob: 0.0,
-            whole: true,
-            opacity: 0.0,
-            dark,
-            marks: Vec::new(),
-            sketch: Vec::new(),
-            imagined: None,
-            hints: Vec::new(),
-            approach: None,
-            spark: None,
-            names: Vec::new(),
-        }
+impl Recording {
+    /// Returns the pose of a dynamic body at a step; a fraction is interpolated, and the last step holds afterwards.
+    fn pose(&self, step: f64, body: usize) -> Option<Pose> {
+        let step = step.clamp(0.0, self.rollout.steps as f64);
+        let before = self.rollout.pose(step.floor() as usize, body)?;
+        let after = self.rollout.pose(step.ceil() as usize, body)?;
+        let fraction = step.fract() as f32;
+        Some(std::array::from_fn(|axis| before[axis] + fraction * (after[axis] - before[axis])))
     }
 
-    /// This view of another scene, in which the ball may or may not be placed.
-    pub(crate) fn checked_in(self, scene: &Scene) -> View {
-        View { valid: self.ball.is_none_or(|ball| ball.check(scene).is_ok()), ..self }
+    /// Returns the path of a body's origin from the start to a step, px.
+    fn path(&self, step: f64, body: usize) -> impl Iterator<Item = [f64; 2]> {
+        let last = (step.max(0.0) as usize).min(self.rollout.steps);
+        let points = (0..=last).filter_map(move |step| self.rollout.pose(step, body));
+        points.map(|[x, y, _]| [x.into(), y.into()])
     }
 }
 
-/// Draws a frame: the first of `recordings` with its bodies, the others as outlines over it.
+/// Draws the scene of a puzzle so that it fills a square canvas.
+#[wasm_bindgen(js_name = paintThumbnail)]
+pub fn paint_thumbnail(context: &CanvasRenderingContext2d, puzzle: JsPuzzle, dark: bool) -> Result<(), JsValue> {
+    paint(context, &load(&puzzle)?.scene, &[], &View { dark, ..View::default() }, &[])
+}
+
+/// Draws a frame: the first of `recordings` with its bodies, the others as outlines over it. The context keeps its
+/// settings: the caller may draw more, in units of the canvas.
 pub(crate) fn paint(
     context: &CanvasRenderingContext2d,
     scene: &Scene,
@@ -123,149 +91,130 @@ pub(crate) fn paint(
     view: &View,
     maps: &[HtmlCanvasElement],
 ) -> Result<(), JsValue> {
-    let painter = Painter::new(context, view.dark)?;
-    let first = recordings.first();
-    let bodies = |dynamic| {
-        let mut bodies = scene.bodies.iter().enumerate().filter(|(_, body)| body.dynamic == dynamic);
-        bodies.try_for_each(|(index, body)| {
-            let pose = first.and_then(|recording| recording.pose(view.step, index));
-            painter.body(body, pose, index == scene.body2)
-        })
-    };
-    // Over a rollout, ribbons and ghosts would hide what really happens.
-    let placing = view.imagined.as_ref().filter(|_| first.is_none());
-    if let Some(imagined) = placing {
-        painter.ribbons(scene, imagined)?;
-    }
-    bodies(false)?;
-    for map in maps {
-        painter.overlay(map, view.opacity)?;
-    }
-    if !maps.is_empty() {
-        painter.set_alpha(STATIC_OPACITY);
-        bodies(false)?;
-        painter.set_alpha(1.0);
-    }
-    view.hints.iter().try_for_each(|hint| painter.hint(scene, hint))?;
-    if let Some(imagined) = &view.imagined {
-        painter.imagined_paths(scene, imagined)?;
-    }
-    let until = if view.whole { f64::INFINITY } else { view.step };
-    for recording in recordings {
-        if recording.of_model {
-            painter.model_path(recording.path(until, scene.body1))?;
-            painter.model_path(recording.path(until, scene.bodies.len()))?;
+    context.save();
+    let painted = Painter::new(context, view.dark)
+        .and_then(|painter| Frame { painter: &painter, scene, recordings, view }.paint(maps));
+    context.restore();
+    painted
+}
+
+struct Frame<'a> {
+    painter: &'a Painter<'a>,
+    scene: &'a Scene,
+    recordings: &'a [Recording],
+    view: &'a View,
+}
+
+impl Frame<'_> {
+    fn paint(&self, maps: &[HtmlCanvasElement]) -> Result<(), JsValue> {
+        let &Frame { painter, scene, recordings, view } = self;
+        let ball = scene.bodies.len();
+        // Over a rollout, ribbons and ghosts would hide what really happens.
+        let placing = view.imagined.as_ref().filter(|_| recordings.is_empty());
+        if let Some(imagined) = placing {
+            painter.ribbons(scene, imagined)?;
         }
-        painter.path(recording.path(until, scene.body1), Role::Green, recording.line_style)?;
-        painter.path(recording.path(until, scene.bodies.len()), Role::Red, recording.line_style)?;
-    }
-    bodies(true)?;
-    for (index, recording) in recordings.iter().enumerate() {
-        if index > 0 && recording.of_model {
-            draw_moved_bodies(&painter, scene, recording, &recordings[0], view.step)?;
+        self.bodies(false)?;
+        for map in maps {
+            painter.overlay(map, view.opacity)?;
         }
-        draw_ball(&painter, scene, recording, view.step, index > 0)?;
-    }
-    for (index, (recording, name)) in recordings.iter().zip(&view.names).enumerate() {
-        if let (Some(ball), Some([x, y, _])) = (recording.ball, recording.pose(view.step, scene.bodies.len())) {
-            // Above the first ball and below the second, so that names of balls at one place are both read.
-            let away = if index == 0 { ball.r } else { -ball.r - NAME_HEIGHT };
-            painter.name(name, [x.into(), f64::from(y) + away])?;
+        if !maps.is_empty() {
+            painter.faded(STATIC_OPACITY, || self.bodies(false))?;
         }
-    }
-    if let (Some(recording), Some(approach)) = (first, &view.approach) {
-        draw_approach(&painter, scene, recording, approach)?;
-    }
-    if let Some(imagined) = placing {
-        painter.ghosts(scene, imagined)?;
-    }
-    if let Some(Spark { step, point }) = view.spark {
-        painter.spark(point, (view.step - step) / SPARK_STEPS)?;
-    }
-    for mark in &view.marks {
-        painter.mark(mark.ball, mark.from, mark.chosen)?;
-    }
-    if !view.sketch.is_empty() {
+        view.hints.iter().try_for_each(|hint| painter.hint(scene, hint))?;
+        if let Some(imagined) = &view.imagined {
+            painter.imagined_paths(scene, imagined)?;
+        }
+        let until = if view.whole { f64::INFINITY } else { view.step };
+        for recording in recordings {
+            let paths = [(scene.body1, Role::Green), (ball, Role::Red)];
+            if recording.of_model {
+                paths.iter().try_for_each(|&(body, _)| painter.model_path(recording.path(until, body)))?;
+            }
+            paths.iter().try_for_each(|&(body, role)| painter.path(recording.path(until, body), role, Line::Solid))?;
+        }
+        self.bodies(true)?;
+        for (index, recording) in recordings.iter().enumerate() {
+            self.ball(recording, index > 0)?;
+        }
+        for (index, (recording, name)) in recordings.iter().zip(&view.names).enumerate() {
+            if let (Some(Ball { r, .. }), Some([x, y, _])) = (recording.ball, recording.pose(view.step, ball)) {
+                // Above the first ball and below the second, so that names of balls at one place are both read.
+                let away = if index == 0 { r } else { -r - NAME_HEIGHT };
+                painter.name(name, [x.into(), f64::from(y) + away])?;
+            }
+        }
+        if let (Some(recording), Some(approach)) = (recordings.first(), &view.approach) {
+            for body in [scene.body1, scene.body2] {
+                if let Some(pose) = recording.pose(approach.step as f64, body) {
+                    let body = &scene.bodies[body];
+                    painter.outline(body, pose, painter.palette.role(body.role), Line::Dotted)?;
+                }
+            }
+            painter.gap(approach.points)?;
+        }
+        if let Some(imagined) = placing {
+            painter.ghosts(scene, imagined)?;
+        }
+        if let Some(Contact { step, point }) = view.spark {
+            painter.spark(point, (view.step - step as f64) / SPARK_STEPS)?;
+        }
+        view.marks.iter().try_for_each(|&mark| painter.mark(mark))?;
         painter.sketch(&view.sketch)?;
-    }
-    match first {
-        Some(recording) => draw_ring(&painter, scene, recording, view.step),
-        None => draw_placed_ball(&painter, view),
-    }
-}
-
-/// Draws the ball of one rollout; with `outlined`, the outlines of the ball and of the green object instead.
-fn draw_ball(
-    painter: &Painter,
-    scene: &Scene,
-    recording: &Recording,
-    step: f64,
-    outlined: bool,
-) -> Result<(), JsValue> {
-    if outlined
-        && !recording.of_model
-        && let Some(pose) = recording.pose(step, scene.body1)
-    {
-        painter.outline(&scene.bodies[scene.body1], pose, recording.line_style)?;
-    }
-    let (Some(ball), Some(pose)) = (recording.ball, recording.pose(step, scene.bodies.len())) else {
-        return Ok(());
-    };
-    let [x, y, angle] = pose.map(f64::from);
-    if recording.of_model {
-        painter.model_rim([x, y], ball.r)?;
-    }
-    if outlined {
-        painter.outline(&ball.body(), pose, recording.line_style)
-    } else {
-        painter.ball(Ball { x, y, ..ball }, angle, true)
-    }
-}
-
-/// Draws the bodies that the model's rollout has moved elsewhere than the rollout under it, as ghosts.
-fn draw_moved_bodies(
-    painter: &Painter,
-    scene: &Scene,
-    of_model: &Recording,
-    under: &Recording,
-    step: f64,
-) -> Result<(), JsValue> {
-    for (index, body) in scene.bodies.iter().enumerate() {
-        if let (Some(pose), Some(below)) = (of_model.pose(step, index), under.pose(step, index))
-            && pose.iter().zip(below).zip(APART).any(|((one, other), apart)| (one - other).abs() > apart)
-        {
-            painter.ghost_body(body, pose)?;
+        match (recordings.first(), view.ball) {
+            (Some(recording), _) => self.ring(recording),
+            (None, Some(ball)) => {
+                painter.ball(ball, 0.0, view.valid)?;
+                if view.knob > 0.0 { painter.knob(ball, view.knob) } else { Ok(()) }
+            }
+            (None, None) => Ok(()),
         }
     }
-    Ok(())
-}
 
-/// Draws the outlines of object and goal where they came nearest, and the gap between them.
-fn draw_approach(painter: &Painter, scene: &Scene, recording: &Recording, approach: &Approach) -> Result<(), JsValue> {
-    for index in [scene.body1, scene.body2] {
-        if let Some(pose) = recording.pose(approach.step, index) {
-            painter.outline(&scene.bodies[index], pose, LineStyle::Dotted)?;
+    /// Draws the static or the dynamic bodies, where the first rollout has them.
+    fn bodies(&self, dynamic: bool) -> Result<(), JsValue> {
+        let mut bodies = self.scene.bodies.iter().enumerate().filter(|(_, body)| body.dynamic == dynamic);
+        bodies.try_for_each(|(index, body)| {
+            let pose = self.recordings.first().and_then(|first| first.pose(self.view.step, index));
+            self.painter.body(body, pose, index == self.scene.body2)
+        })
+    }
+
+    /// Draws the ball of a rollout; over the first one only its outline, with the bodies that lie elsewhere as ghosts.
+    fn ball(&self, recording: &Recording, is_over: bool) -> Result<(), JsValue> {
+        let Frame { painter, scene, view, .. } = self;
+        for (index, body) in scene.bodies.iter().enumerate().filter(|_| is_over) {
+            if let (Some(pose), Some(below)) =
+                (recording.pose(view.step, index), self.recordings[0].pose(view.step, index))
+                && pose.iter().zip(below).zip(APART).any(|((one, other), apart)| (one - other).abs() > apart)
+            {
+                painter.ghost_body(body, pose)?;
+            }
+        }
+        let (Some(ball), Some(pose)) = (recording.ball, recording.pose(view.step, scene.bodies.len())) else {
+            return Ok(());
+        };
+        let [x, y, angle] = pose.map(f64::from);
+        if recording.of_model {
+            painter.model_rim([x, y], ball.r)?;
+        }
+        if is_over {
+            painter.outline(&ball.body(), pose, painter.palette.red, Line::Solid)
+        } else {
+            painter.ball(Ball { x, y, ..ball }, angle, true)
         }
     }
-    painter.gap(approach.points)
-}
 
-/// Draws the progress ring round the green object while it touches the goal.
-fn draw_ring(painter: &Painter, scene: &Scene, recording: &Recording, step: f64) -> Result<(), JsValue> {
-    let streak = touch_streak(&recording.rollout, step as usize);
-    match recording.pose(step, scene.body1) {
-        Some([x, y, _]) if streak > 0 => {
-            // On the object also where the edge of the scene cuts the ring off.
-            let radius = bounding_radius(&scene.bodies[scene.body1]).min(24.0) + 5.0;
-            painter.ring([x.into(), y.into()], radius, streak as f64 / GOAL_STEPS as f64)
+    /// Draws the progress ring round the green object while it touches the goal.
+    fn ring(&self, recording: &Recording) -> Result<(), JsValue> {
+        let streak = touch_streak(&recording.rollout, self.view.step as usize);
+        match recording.pose(self.view.step, self.scene.body1) {
+            Some([x, y, _]) if streak > 0 => {
+                // On the object also where the edge of the scene cuts the ring off.
+                let radius = bounding_radius(&self.scene.bodies[self.scene.body1]).min(24.0) + 5.0;
+                self.painter.ring([x.into(), y.into()], radius, streak as f64 / GOAL_STEPS as f64)
+            }
+            _ => Ok(()),
         }
-        _ => Ok(()),
     }
-}
-
-/// Draws the ball being placed, with its knob.
-fn draw_placed_ball(painter: &Painter, view: &View) -> Result<(), JsValue> {
-    let Some(ball) = view.ball else { return Ok(()) };
-    painter.ball(ball, 0.0, view.valid)?;
-    if view.knob > 0.0 { painter.knob(ball, view.knob) } else { Ok(()) }
 }

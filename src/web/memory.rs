@@ -7,13 +7,12 @@ use std::rc::Rc;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::describe::invalid_reason;
-use super::error::{Code, error, to_js};
-use super::puzzle_from_js::load;
-use super::scripting::ball_from;
+use super::data::to_js;
+use super::error::{Code, error};
+use super::model::valid_ball;
+use super::puzzle::{JsBall, JsPuzzle, load};
 use crate::agents::Proposal;
 use crate::agents::memory::{self, MemoryError, PuzzleSource, Recollection};
-use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 use crate::session::puzzle::{Puzzle, PuzzleId};
 
@@ -72,29 +71,16 @@ impl Memory {
             attempts: &'a [memory::Attempt],
         }
         let memory = self.memory.borrow();
-        to_js(
-            &memory
-                .puzzles()
-                .map(|(number, source, attempts)| RememberedPuzzle { number, source, attempts })
-                .collect::<Vec<_>>(),
-        )
+        let puzzles = memory.puzzles();
+        let puzzles = puzzles.map(|(number, source, attempts)| RememberedPuzzle { number, source, attempts });
+        to_js(&puzzles.collect::<Vec<_>>())
     }
 
     /// Remembers an attempt that somebody else has made. The attempts of a turn with this memory are remembered
-    /// without it.
-    ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball,
-    /// `invalid_ball` if it may not be placed.
-    pub fn remember(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
-        solved: bool,
-    ) -> Result<(), JsValue> {
-        let Puzzle { id, scene, .. } = load(puzzle)?;
-        let ball: Ball = ball_from(ball)?;
-        ball.check(&scene).map_err(|why| error(Code::InvalidBall, invalid_reason(why, &scene)))?;
+    /// without it. Throws `invalid_ball` if the ball may not be placed.
+    pub fn remember(&self, puzzle: JsPuzzle, ball: JsBall, solved: bool) -> Result<(), JsValue> {
+        let Puzzle { id, scene, .. } = load(&puzzle)?;
+        let ball = valid_ball(ball, &scene)?;
         self.memory.borrow_mut().observe_other(source_of(id, &scene), &scene, ball, solved);
         Ok(())
     }

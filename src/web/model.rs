@@ -1,28 +1,33 @@
-//! The model in the worker: loads weights, then imagines maps, proposes balls and tries them.
+//! The model in the worker: loads weights, then imagines maps and paths, proposes balls and tries them.
 //!
 //! The page never calls it, because it is slow: the nets take some ten milliseconds per scene, a rollout about one, and
 //! a turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in
 //! between.
 
+use js_sys::{Float32Array, Number, Object, Reflect, Uint32Array};
 use serde::Serialize;
+use sha2::{Digest, Sha256};
 use wasm_bindgen::prelude::*;
 
-use sha2::{Digest, Sha256};
-
-use super::error::{Code, error, to_js, whole_number};
+use super::data::{Typed, TypedPaths, to_js, whole_number};
+use super::error::{Code, error};
 use super::memory::{Memory, TurnMemory};
-use super::puzzle_from_js::load;
-use crate::agents::Proposal;
+use super::puzzle::{JsBall, JsPuzzle, ball_from, invalid_ball, load};
 use crate::agents::memoized_model::MemoizedModel;
 use crate::agents::memory::Reminder;
+use crate::agents::online::Candidate;
 use crate::agents::ranking::probability_map;
+use crate::agents::{Proposal, sigmoid};
+use crate::benchmark::auccess::MAX_ATTEMPTS;
 use crate::benchmark::folds::Fold;
 use crate::colour::imagined_maps::ImaginedMap;
 use crate::nets::{Card, PathNet};
+use crate::puzzle::action::Ball;
 use crate::puzzle::hex::hex;
+use crate::puzzle::sampled_paths::SAMPLED_STEPS;
+use crate::puzzle::scene::Scene;
 use crate::puzzle::task::TaskId;
 use crate::session::ending::Ending;
-use crate::session::game::ATTEMPT_LIMIT;
 use crate::session::puzzle::Puzzle;
 use crate::session::turn;
 
@@ -32,22 +37,12 @@ const MAX_PROPOSALS: u32 = 1000;
 /// The nets with their weights.
 #[wasm_bindgen]
 pub struct Model {
-    pub(super) model: MemoizedModel,
+    model: MemoizedModel,
     card: Card,
     /// SHA-256 of the weights file, in hexadecimal.
     weights: String,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
-}
-
-/// A ball of the model's turn: proposed, then simulated.
-#[derive(Serialize)]
-struct TriedProposal {
-    #[serde(flatten)]
-    proposal: Proposal,
-    ending: Ending,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    reminder: Option<Reminder>,
 }
 
 /// The model's turn on one puzzle.
@@ -59,10 +54,8 @@ pub struct Turn {
 
 #[wasm_bindgen]
 impl Model {
-    /// Loads the nets from the bytes of a weights file. Their SHA-256, in hexadecimal, is computed if it is not known.
-    ///
-    /// # Errors
-    /// `bad_weights` if the file is damaged or belongs to other nets.
+    /// Loads the nets from the bytes of a weights file; throws `bad_weights` if it is damaged or belongs to other nets.
+    /// Their SHA-256, in hexadecimal, is computed if it is not known.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8], sha256: Option<String>) -> Result<Model, JsValue> {
         let (nets, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
@@ -78,136 +71,137 @@ impl Model {
     }
 
     /// Whether nets of the model were trained on this task or its settings were chosen on it; never for a custom scene.
-    ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(js_name = hasSeen)]
-    pub fn has_seen(&self, #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -> Result<bool, JsValue> {
-        Ok(load(puzzle)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
+    pub fn has_seen(&self, puzzle: JsPuzzle) -> Result<bool, JsValue> {
+        Ok(load(&puzzle)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
     }
 
-    /// Returns the maps of a task: for each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
-    /// Weights with neither a success net nor a dynamics net have no map `success`.
-    ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
+    /// Returns the maps of a puzzle: for each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom. Weights
+    /// with neither a success net nor a dynamics net have no map `success`.
     #[wasm_bindgen(unchecked_return_type = "Maps")]
-    pub fn imagine(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let scene = load(puzzle)?.scene;
+    pub fn imagine(&self, puzzle: JsPuzzle) -> Result<Object, JsValue> {
+        let scene = load(&puzzle)?.scene;
         let nets = &self.model.nets;
         let imagined = nets.imagine(&scene);
         let success = nets.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
-        let maps = js_sys::Object::new();
+        let maps = Object::new();
         for map in ImaginedMap::ALL {
-            let values = match map {
-                ImaginedMap::Success => success.as_deref(),
-                of_paper => imagined.map(of_paper),
-            };
-            if let Some(values) = values {
-                js_sys::Reflect::set(&maps, &map.name().into(), &js_sys::Float32Array::from(values))?;
+            let success = success.as_deref().filter(|_| map == ImaginedMap::Success);
+            if let Some(values) = imagined.map(map).or(success) {
+                Reflect::set(&maps, &map.name().into(), &Float32Array::from(values))?;
             }
         }
-        Ok(maps.into())
+        Ok(maps)
+    }
+
+    /// Returns the maps of the paper's nets alone: base, target, action and placement in one Float32Array
+    /// `[4, 64, 64]`. `make bench` compares it with other engines, which run the same nets.
+    #[wasm_bindgen(js_name = imaginePaths)]
+    pub fn imagine_paths(&self, puzzle: JsPuzzle) -> Result<Vec<f32>, JsValue> {
+        let imagined = self.model.nets.imagine(&load(&puzzle)?.scene);
+        let maps: Vec<&[f32]> = ImaginedMap::ALL.into_iter().filter_map(|map| imagined.map(map)).collect();
+        Ok(maps.concat())
+    }
+
+    /// Imagines what a ball leads to: the paths of the green object and of the ball, and the probability that it
+    /// solves. Undefined if the weights have no dynamics net; throws `invalid_ball`. What the net has read of the last
+    /// puzzle is kept, so further balls of it cost little.
+    #[wasm_bindgen(js_name = imagineBall, unchecked_return_type = "ImaginedBall | undefined")]
+    pub fn imagine_ball(&self, puzzle: JsPuzzle, ball: JsBall) -> Result<JsValue, JsValue> {
+        #[derive(Serialize)]
+        struct ImaginedBall {
+            steps: Typed<Uint32Array>,
+            #[serde(flatten)]
+            paths: TypedPaths,
+            errors: Typed<Float32Array>,
+            probability: f64,
+        }
+        let scene = load(&puzzle)?.scene;
+        let ball = valid_ball(ball, &scene)?;
+        let Some(imagined) = self.model.imagine(&scene, ball) else { return Ok(JsValue::UNDEFINED) };
+        to_js(&ImaginedBall {
+            steps: Typed(SAMPLED_STEPS.map(|step| step as u32).as_slice().into()),
+            paths: (&imagined.paths).into(),
+            errors: Typed(imagined.errors.as_slice().into()),
+            probability: sigmoid(imagined.logit.into()),
+        })
+    }
+
+    /// Returns the balls that the model considers before it chooses, some hundred. Undefined if the weights have no
+    /// dynamics net.
+    #[wasm_bindgen(unchecked_return_type = "Candidate[] | undefined")]
+    pub fn candidates(&self, puzzle: JsPuzzle) -> Result<JsValue, JsValue> {
+        #[derive(Serialize)]
+        struct JsCandidate {
+            ball: Ball,
+            probability: f64,
+            object: Typed<Float32Array>,
+        }
+        let candidates = self.model.candidates(&load(&puzzle)?.scene, MAX_ATTEMPTS);
+        let Some(candidates) = candidates else { return Ok(JsValue::UNDEFINED) };
+        let candidate = |&Candidate { ball, logit, paths }: &Candidate| JsCandidate {
+            ball,
+            probability: sigmoid(logit),
+            object: (&paths.object).into(),
+        };
+        to_js(&candidates.iter().map(candidate).collect::<Vec<_>>())
     }
 
     /// Returns the balls that the model would try, in order, each with its origin: `count` of them, 1 to 1,000; without
     /// a count as many as there are attempts.
-    ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed or the
-    /// count is out of range or not a whole number.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
-    pub fn propose(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
-        #[wasm_bindgen(unchecked_optional_param_type = "number")] count: &JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let Puzzle { id, scene, .. } = load(puzzle)?;
-        let seed = whole_seed(seed)?;
-        let count = if count.is_undefined() || count.is_null() {
-            ATTEMPT_LIMIT
-        } else {
-            whole_number(count, 1..=MAX_PROPOSALS, format_args!("the model proposes 1 to {MAX_PROPOSALS} balls"))?
-                as usize
-        };
-        to_js(&self.model.propose(&scene, id.seed(seed), count))
+    pub fn propose(&self, puzzle: JsPuzzle, seed: &Number, count: Option<Number>) -> Result<JsValue, JsValue> {
+        let Puzzle { id, scene, .. } = load(&puzzle)?;
+        let rule = format_args!("the model proposes 1 to {MAX_PROPOSALS} balls");
+        let count = count.map(|count| whole_number(&count, 1..=MAX_PROPOSALS, rule)).transpose()?;
+        let count = count.map_or(MAX_ATTEMPTS, |count| count as usize);
+        to_js(&self.model.propose(&scene, id.seed(whole_seed(seed)?), count))
     }
 
-    /// Starts the model's turn on a task. The same seed leads to the same attempts.
-    ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed is out
-    /// of range or not a whole number.
-    pub fn turn(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
-    ) -> Result<Turn, JsValue> {
-        let Puzzle { id, scene, .. } = load(puzzle)?;
-        let agent = self.model.start(&scene, id.seed(whole_seed(seed)?), ATTEMPT_LIMIT);
+    /// Starts the model's turn on a puzzle. The same seed leads to the same attempts.
+    pub fn turn(&self, puzzle: JsPuzzle, seed: &Number) -> Result<Turn, JsValue> {
+        let Puzzle { id, scene, .. } = load(&puzzle)?;
+        let agent = self.model.start(&scene, id.seed(whole_seed(seed)?), MAX_ATTEMPTS);
         Ok(Turn { turn: turn::Turn::new(scene, agent), memory: None })
     }
 
-    /// Returns a memory of attempts for this model: an empty one, or that of JSON which `Memory.toJson` or
-    /// `pathlight agent --memory` wrote.
-    ///
-    /// # Errors
-    /// `bad_memory` if it is damaged, of another format, or learned with other weights.
-    pub fn memory(&self, json: Option<String>) -> Result<Memory, JsValue> {
-        Memory::new(&self.weights, json.as_deref())
-    }
-
-    /// Starts the model's turn on a task, in which it uses what a memory holds, and remembers each attempt. Draws
-    /// nothing at random.
-    ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_memory` if the memory
-    /// is of other weights, `bad_weights` if these weights have no dynamics net.
+    /// Starts the model's turn on a puzzle, in which it uses what a memory holds, and remembers each attempt. Draws
+    /// nothing at random. Throws `bad_memory` if the memory is of other weights, `bad_weights` if these weights have no
+    /// dynamics net.
     #[wasm_bindgen(js_name = turnWith)]
-    pub fn turn_with(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
-        memory: &Memory,
-    ) -> Result<Turn, JsValue> {
-        let Puzzle { id, scene, .. } = load(puzzle)?;
+    pub fn turn_with(&self, puzzle: JsPuzzle, memory: &Memory) -> Result<Turn, JsValue> {
+        let Puzzle { id, scene, .. } = load(&puzzle)?;
         memory.check_weights(&self.weights)?;
         let lacking = || error(Code::BadWeights, "weights without a dynamics net cannot play with a memory");
         if self.model.nets.dynamics.is_none() {
             return Err(lacking());
         }
         let memory = memory.begin(id, &scene);
-        let agent = self.model.start_with(&scene, ATTEMPT_LIMIT, &memory.recollection).ok_or_else(lacking)?;
+        let agent = self.model.start_with(&scene, MAX_ATTEMPTS, &memory.recollection).ok_or_else(lacking)?;
         Ok(Turn { turn: turn::Turn::new(scene, agent), memory: Some(memory) })
     }
 
-    /// Returns the maps of the paper's nets alone: base, target, action and placement in one Float32Array
-    /// `[4, 64, 64]`. `make bench` compares it with other engines, which run the same nets.
-    ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
-    #[wasm_bindgen(js_name = imaginePaths)]
-    pub fn imagine_paths(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
-    ) -> Result<Vec<f32>, JsValue> {
-        let imagined = self.model.nets.imagine(&load(puzzle)?.scene);
-        let maps: Vec<&[f32]> = ImaginedMap::ALL.into_iter().filter_map(|map| imagined.map(map)).collect();
-        Ok(maps.concat())
+    /// Returns a memory of attempts for this model: an empty one, or that of JSON which `Memory.toJson` or
+    /// `pathlight agent --memory` wrote. Throws `bad_memory` if it is damaged, of another format, or learned with other
+    /// weights.
+    pub fn memory(&self, json: Option<String>) -> Result<Memory, JsValue> {
+        Memory::new(&self.weights, json.as_deref())
     }
 }
 
 #[wasm_bindgen]
 impl Turn {
     /// Tries the next ball and returns the attempt; undefined once the puzzle is solved or no ball is left.
-    ///
-    /// # Errors
-    /// `invalid_ball` if the model proposes an invalid ball.
     #[wasm_bindgen(unchecked_return_type = "TriedProposal | undefined")]
     pub fn attempt(&mut self) -> Result<JsValue, JsValue> {
+        #[derive(Serialize)]
+        struct TriedProposal {
+            #[serde(flatten)]
+            proposal: Proposal,
+            ending: Ending,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            reminder: Option<Reminder>,
+        }
         let attempt = self.turn.attempt().map_err(|why| error(Code::InvalidBall, why))?;
         let Some((proposal, rollout)) = attempt else { return Ok(JsValue::UNDEFINED) };
         let memory = self.memory.as_ref();
@@ -221,4 +215,13 @@ impl Turn {
 
 fn whole_seed(seed: &JsValue) -> Result<u64, JsValue> {
     whole_number(seed, 0..=u32::MAX, "a seed is a whole number from 0 to 2^32 - 1").map(u64::from)
+}
+
+/// Returns a ball that may be placed in the scene.
+///
+/// # Errors
+/// `bad_data` if it is no ball, `invalid_ball` if it may not be placed.
+pub(super) fn valid_ball(ball: JsBall, scene: &Scene) -> Result<Ball, JsValue> {
+    let ball: Ball = ball_from(ball)?;
+    ball.check(scene).map(|()| ball).map_err(|why| invalid_ball(why, scene))
 }

@@ -14,19 +14,15 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Pose;
 use crate::puzzle::scene::{Body, Role, SIZE, Shape};
 
-/// Distance between the lines of a hatched goal, px.
+/// Distance between the lines of a hatched goal, and their width, px.
 const HATCH_SPACING: f64 = 4.5;
-
-/// Width of those lines, px.
 const HATCH_WIDTH: f64 = 1.2;
 
 /// Largest radius that is hatched, px. Bodies that may be played are smaller, but the editor also draws others.
 const MAX_HATCHED_RADIUS: f64 = 512.0;
 
-/// Width of the rim of black bodies, px.
+/// Widths of the rim of black bodies and of a path, px.
 const RIM_WIDTH: f64 = 1.0;
-
-/// Width of a path, px.
 const PATH_WIDTH: f64 = 1.6;
 
 /// Minimum width of a path, pixels of the canvas: `PATH_WIDTH` is hardly visible in a thumbnail.
@@ -39,11 +35,14 @@ pub(crate) struct Painter<'a> {
     pub(super) scale: f64,
 }
 
-/// Line style: solid for the player, dashed for the model, dotted for what is imagined.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum LineStyle {
+/// The style of a line.
+#[derive(Clone, Copy)]
+pub(crate) enum Line {
+    /// What is real.
     Solid,
+    /// What is invalid.
     Dashed,
+    /// What is imagined, drawn by hand, or past.
     Dotted,
 }
 
@@ -63,116 +62,70 @@ impl<'a> Painter<'a> {
         Ok(painter)
     }
 
-    /// Sets the opacity of the next bodies, 0..=1.
-    pub(crate) fn set_alpha(&self, alpha: f64) {
-        self.context.set_global_alpha(alpha);
-    }
-
     /// Draws a body in the colour of its role, at a pose or where the scene has it. A goal is hatched, the green object
     /// dotted.
     pub(crate) fn body(&self, body: &Body, pose: Option<Pose>, goal: bool) -> Result<(), JsValue> {
-        let [x, y, angle] = pose.map_or([body.x, body.y, body.angle], |pose| pose.map(f64::from));
-        let context = self.context;
         let outline = body_path(body)?;
-        context.save();
-        context.translate(x, y)?;
-        context.rotate(angle)?;
-        context.set_fill_style_str(self.palette.role(body.role));
-        context.fill_with_path_2d(&outline);
-        if body.role == Role::Black {
-            self.set_stroke(self.palette.rim, RIM_WIDTH, LineStyle::Solid)?;
-            context.stroke_with_path(&outline);
-        }
-        if goal {
-            self.hatch(body, &outline)?;
-        }
-        if let (Role::Gray | Role::Blue, Some(radius)) = (body.role, body.ball_radius()) {
-            self.spoke(radius)?;
-        }
-        if body.role == Role::Green {
-            self.dot(body)?;
-        }
-        context.restore();
-        Ok(())
+        self.placed(pose.map_or([body.x, body.y, body.angle], |pose| pose.map(f64::from)), || {
+            self.context.set_fill_style_str(self.palette.role(body.role));
+            self.context.fill_with_path_2d(&outline);
+            if body.role == Role::Black {
+                self.set_stroke(self.palette.rim, RIM_WIDTH, Line::Solid)?;
+                self.context.stroke_with_path(&outline);
+            }
+            if goal {
+                self.hatch(body, &outline)?;
+            }
+            match (body.role, body.ball_radius()) {
+                (Role::Gray | Role::Blue, Some(radius)) => self.spoke(radius),
+                // Off the centre of a ball, so that it shows how the ball rolls.
+                (Role::Green, Some(radius)) => {
+                    self.disc([0.4 * radius, 0.0], (0.26 * radius).max(1.6), self.palette.paper)
+                }
+                (Role::Green, None) => self.disc([0.0, 0.0], 1.7, self.palette.paper),
+                _ => Ok(()),
+            }
+        })
     }
 
     /// Draws the outline of a body at a pose.
-    pub(crate) fn outline(&self, body: &Body, pose: Pose, style: LineStyle) -> Result<(), JsValue> {
-        self.outline_in(self.palette.role(body.role), body, pose, style)
-    }
-
-    /// Draws the outline of a body at a pose in a colour.
-    pub(super) fn outline_in(&self, colour: &str, body: &Body, pose: Pose, style: LineStyle) -> Result<(), JsValue> {
-        let [x, y, angle] = pose.map(f64::from);
-        self.context.save();
-        self.context.translate(x, y)?;
-        self.context.rotate(angle)?;
-        self.set_stroke(colour, 1.4, style)?;
-        self.context.stroke_with_path(&body_path(body)?);
-        self.context.restore();
-        Ok(())
+    pub(crate) fn outline(&self, body: &Body, pose: Pose, colour: &str, line: Line) -> Result<(), JsValue> {
+        self.placed(pose.map(f64::from), || {
+            self.set_stroke(colour, 1.4, line)?;
+            self.context.stroke_with_path(&body_path(body)?);
+            Ok(())
+        })
     }
 
     /// Draws the action ball; an invalid one is only outlined.
     pub(crate) fn ball(&self, ball: Ball, angle: f64, valid: bool) -> Result<(), JsValue> {
-        let context = self.context;
-        context.save();
-        context.translate(ball.x, ball.y)?;
-        context.rotate(angle)?;
-        context.begin_path();
-        context.arc(0.0, 0.0, ball.r, 0.0, TAU)?;
-        context.set_fill_style_str(self.palette.red);
-        context.set_global_alpha(if valid { 1.0 } else { 0.3 });
-        context.fill();
-        context.set_global_alpha(1.0);
-        if valid {
-            self.spoke(ball.r)?;
-        } else {
-            self.set_stroke(self.palette.red, 2.0, LineStyle::Dashed)?;
-            context.stroke();
+        self.placed([ball.x, ball.y, angle], || {
+            if valid {
+                self.disc([0.0, 0.0], ball.r, self.palette.red)?;
+                return self.spoke(ball.r);
+            }
+            self.faded(0.3, || self.disc([0.0, 0.0], ball.r, self.palette.red))?;
+            self.stroke(self.palette.red, 2.0, Line::Dashed)?;
             // A bar across it marks it without colour too.
             let half = ball.r * 0.7;
-            context.begin_path();
-            context.move_to(-half, half);
-            context.line_to(half, -half);
-            self.set_stroke(self.palette.ink, 1.5, LineStyle::Solid)?;
-            context.stroke();
-        }
-        context.restore();
-        Ok(())
+            self.lines([[-half, half], [half, -half]]);
+            self.stroke(self.palette.ink, 1.5, Line::Solid)
+        })
     }
 
     /// Draws the knob that changes the radius of the ball, at its right.
     pub(crate) fn knob(&self, ball: Ball, radius: f64) -> Result<(), JsValue> {
-        self.context.begin_path();
-        self.context.arc(ball.x + ball.r, ball.y, radius, 0.0, TAU)?;
-        self.context.set_fill_style_str(self.palette.paper);
-        self.context.fill();
-        self.set_stroke(self.palette.ink, 1.0, LineStyle::Solid)?;
-        self.context.stroke();
-        Ok(())
+        self.disc([ball.x + ball.r, ball.y], radius, self.palette.paper)?;
+        self.stroke(self.palette.ink, 1.0, Line::Solid)
     }
 
     /// Draws a path through points of the scene, px.
-    pub(crate) fn path(
-        &self,
-        points: impl Iterator<Item = [f64; 2]>,
-        role: Role,
-        style: LineStyle,
-    ) -> Result<(), JsValue> {
-        self.context.begin_path();
-        for [x, y] in points {
-            self.context.line_to(x, y);
-        }
+    pub(crate) fn path(&self, points: impl Iterator<Item = [f64; 2]>, role: Role, line: Line) -> Result<(), JsValue> {
+        self.lines(points);
         let width = PATH_WIDTH.max(MIN_PATH_PIXELS / self.scale);
         // A rim in the colour of the paper keeps the path visible where it crosses a body of its own colour.
-        self.set_stroke(self.palette.paper, width + 1.4, LineStyle::Solid)?;
-        self.context.set_global_alpha(0.7);
-        self.context.stroke();
-        self.context.set_global_alpha(1.0);
-        self.set_stroke(self.palette.role(role), width, style)?;
-        self.context.stroke();
-        Ok(())
+        self.faded(0.7, || self.stroke(self.palette.paper, width + 1.4, Line::Solid))?;
+        self.stroke(self.palette.role(role), width, line)
     }
 
     /// Draws a progress ring round a point, filled to a fraction clockwise from the top.
@@ -181,8 +134,7 @@ impl<'a> Painter<'a> {
         for (colour, width, fraction) in [(self.palette.ink, 5.0, 1.0), (self.palette.ring, 3.4, fraction)] {
             self.context.begin_path();
             self.context.arc_with_anticlockwise(x, y, radius, top, top - TAU * fraction, true)?;
-            self.set_stroke(colour, width, LineStyle::Solid)?;
-            self.context.stroke();
+            self.stroke(colour, width, Line::Solid)?;
         }
         Ok(())
     }
@@ -191,9 +143,9 @@ impl<'a> Painter<'a> {
     pub(crate) fn overlay(&self, map: &HtmlCanvasElement, opacity: f64) -> Result<(), JsValue> {
         let side = self.scale * SIZE;
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
-        self.context.set_global_alpha(opacity.clamp(0.0, 1.0));
-        self.context.draw_image_with_html_canvas_element_and_dw_and_dh(map, 0.0, 0.0, side, side)?;
-        self.context.set_global_alpha(1.0);
+        self.faded(opacity, || {
+            self.context.draw_image_with_html_canvas_element_and_dw_and_dh(map, 0.0, 0.0, side, side)
+        })?;
         self.set_scene_units()
     }
 
@@ -201,15 +153,61 @@ impl<'a> Painter<'a> {
         self.context.set_transform(self.scale, 0.0, 0.0, -self.scale, 0.0, self.scale * SIZE)
     }
 
+    /// Draws at an opacity, 0..=1.
+    pub(super) fn faded(&self, opacity: f64, draw: impl FnOnce() -> Result<(), JsValue>) -> Result<(), JsValue> {
+        let before = self.context.global_alpha();
+        self.context.set_global_alpha(opacity.clamp(0.0, 1.0));
+        draw()?;
+        self.context.set_global_alpha(before);
+        Ok(())
+    }
+
+    /// Draws in the coordinates of a body at x, y and an angle.
+    fn placed(&self, [x, y, angle]: [f64; 3], draw: impl FnOnce() -> Result<(), JsValue>) -> Result<(), JsValue> {
+        self.context.save();
+        self.context.translate(x, y)?;
+        self.context.rotate(angle)?;
+        draw()?;
+        self.context.restore();
+        Ok(())
+    }
+
+    /// Begins a circle, which is the next to be stroked.
+    pub(super) fn circle(&self, [x, y]: [f64; 2], radius: f64) -> Result<(), JsValue> {
+        self.context.begin_path();
+        self.context.arc(x, y, radius, 0.0, TAU)
+    }
+
+    /// Fills a disc, whose outline is the next to be stroked.
+    pub(super) fn disc(&self, place: [f64; 2], radius: f64, colour: &str) -> Result<(), JsValue> {
+        self.circle(place, radius)?;
+        self.context.set_fill_style_str(colour);
+        self.context.fill();
+        Ok(())
+    }
+
+    /// Begins a line through points, which is the next to be stroked.
+    pub(super) fn lines(&self, points: impl IntoIterator<Item = [f64; 2]>) {
+        self.context.begin_path();
+        points.into_iter().for_each(|[x, y]| self.context.line_to(x, y));
+    }
+
+    /// Strokes the present line; the width is in px.
+    pub(super) fn stroke(&self, colour: &str, width: f64, line: Line) -> Result<(), JsValue> {
+        self.set_stroke(colour, width, line)?;
+        self.context.stroke();
+        Ok(())
+    }
+
     /// Sets colour, width (px) and style of the next strokes.
-    pub(super) fn set_stroke(&self, colour: &str, width: f64, style: LineStyle) -> Result<(), JsValue> {
+    pub(super) fn set_stroke(&self, colour: &str, width: f64, line: Line) -> Result<(), JsValue> {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
-        let dashes: &[f64] = match style {
-            LineStyle::Solid => &[],
-            LineStyle::Dashed => &[4.0, 4.0],
+        let dashes: &[f64] = match line {
+            Line::Solid => &[],
+            Line::Dashed => &[4.0, 4.0],
             // The round caps make a dot of each dash.
-            LineStyle::Dotted => &[0.1, 3.6],
+            Line::Dotted => &[0.1, 3.6],
         };
         let dashes: js_sys::Array = dashes.iter().copied().map(JsValue::from).collect();
         self.context.set_line_dash(&dashes)
@@ -228,38 +226,15 @@ impl<'a> Painter<'a> {
             context.move_to(offset - radius, -radius);
             context.line_to(offset + radius, radius);
         }
-        context.set_global_alpha(0.55);
-        self.set_stroke(self.palette.paper, HATCH_WIDTH, LineStyle::Solid)?;
-        context.stroke();
+        self.faded(0.55, || self.stroke(self.palette.paper, HATCH_WIDTH, Line::Solid))?;
         context.restore();
         Ok(())
     }
 
     /// Draws a mark on a ball that shows how it rolls.
     fn spoke(&self, radius: f64) -> Result<(), JsValue> {
-        let context = self.context;
-        context.save();
-        context.begin_path();
-        context.move_to(radius * 0.35, 0.0);
-        context.line_to(radius * 0.75, 0.0);
-        context.set_global_alpha(0.75);
-        self.set_stroke(self.palette.paper, (radius * 0.12).max(0.8), LineStyle::Solid)?;
-        context.stroke();
-        context.restore();
-        Ok(())
-    }
-
-    /// Draws the dot of the green object, off the centre of a ball, so that it shows how the ball rolls.
-    fn dot(&self, body: &Body) -> Result<(), JsValue> {
-        let (x, radius) = match body.ball_radius() {
-            Some(radius) => (0.4 * radius, (0.26 * radius).max(1.6)),
-            None => (0.0, 1.7),
-        };
-        self.context.begin_path();
-        self.context.arc(x, 0.0, radius, 0.0, TAU)?;
-        self.context.set_fill_style_str(self.palette.paper);
-        self.context.fill();
-        Ok(())
+        self.lines([[radius * 0.35, 0.0], [radius * 0.75, 0.0]]);
+        self.faded(0.75, || self.stroke(self.palette.paper, (radius * 0.12).max(0.8), Line::Solid))
     }
 }
 

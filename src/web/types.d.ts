@@ -1,8 +1,8 @@
 /** The red ball, px: its centre, counted from the lower left corner of the scene, and its radius. */
 export type Ball = [x: number, y: number, r: number];
 
-/** The role of a body, named by PHYRE's colour for it: the green object, its blue (dynamic) or purple (static) goal, other
- * dynamic (gray) and static (black) bodies. */
+/** PHYRE's colour for a body: the green object, its blue (dynamic) or purple (static) goal, other dynamic (gray) and static
+ * (black) bodies. */
 export type Role = "green" | "blue" | "purple" | "gray" | "black";
 
 /** One convex shape in the coordinates of its body, px: a circle of this radius around the origin, or a polygon with its
@@ -51,15 +51,12 @@ export type CustomBody = { x: number; y: number; angle: number; dynamic: boolean
 /** A puzzle: the id of a task ("00007:008"), or a custom scene. */
 export type Puzzle = string | CustomScene;
 
-/** Why a custom scene may not be played. */
+/** Why a custom scene may not be played; the sentence says what helps. */
 export interface SceneProblem {
-    /** The body that has the problem, as an index into `bodies`; null if it is the scene's. */
+    /** The body that has the problem, as an index into `bodies`, and the second if it is between two. */
     body: number | null;
-    /** The second body, if the problem is between two. */
     other: number | null;
-    /** What is wrong. */
     fault: SceneFault;
-    /** What is wrong and what helps. */
     sentence: string;
 }
 
@@ -72,7 +69,8 @@ export type SceneFault =
     | { kind: "sticks_out" | "sticks_out_of_corner" | "outside"; by: number }
     | { kind: "overlap"; by: number; most: number };
 
-/** The limits of custom scenes: least and most, lengths in px. */
+/** The limits of custom scenes: least and most, lengths in px; `max_overlap`: how deep two bodies may overlap at the start if
+ * one is dynamic; `name_length`: most characters of a name. */
 export interface SceneLimits {
     bodies: [number, number];
     ball_radius: [number, number];
@@ -80,9 +78,7 @@ export interface SceneLimits {
     bar_thickness: [number, number];
     jar_height: [number, number];
     stick_length: [number, number];
-    /** How deep two bodies may overlap at the start if one is dynamic. */
     max_overlap: number;
-    /** Most characters of a name. */
     name_length: number;
 }
 
@@ -93,9 +89,8 @@ export type Status = "solved" | "not_solved" | "invalid";
 export interface FoundSolutions {
     /** The fraction of the balls that has been looked at, 0..1. */
     progress: number;
-    /** Balls that may be placed; all of them were simulated. */
+    /** Balls that may be placed, all of which were simulated, and those of them that solve. */
     valid: number;
-    /** Those that solve. */
     solved: number;
     /** The share of the benchmark's tasks that are harder, 0..1, by the share of valid balls that solve; those that are as
      * hard count half. Null without a valid ball. */
@@ -138,11 +133,7 @@ export type Verification =
 export type Setup = "within" | "cross";
 
 /** The ids of the tasks of a fold. `train` and `dev` together are PHYRE's training tasks; settings are chosen on `dev`. */
-export interface Fold {
-    train: string[];
-    dev: string[];
-    test: string[];
-}
+export type Fold = Record<"train" | "dev" | "test", string[]>;
 
 /** The maps that the nets imagine, in the order in which they make them. */
 export type MapName = "base" | "target" | "action" | "placement" | "success";
@@ -153,44 +144,6 @@ export type GridMap = Float32Array;
 /** The maps of a task; weights with neither a success net nor a dynamics net have no `success`. */
 export type Maps = Record<Exclude<MapName, "success">, GridMap> & { success?: GridMap };
 
-/** Who places the ball. */
-export type Author = "player" | "model";
-
-/** The numbers that the page shares with the Rust code. */
-export interface Constants {
-    /** Width and height of the scene, px. */
-    scene_size: number;
-    /** Width and height of a map, cells. */
-    grid_side: number;
-    /** Width and height of a cell, px. */
-    cell_size: number;
-    /** Smallest and largest radius of the red ball, px. */
-    min_radius: number;
-    max_radius: number;
-    /** Most attempts of each author at one puzzle. */
-    attempt_limit: number;
-    /** Simulated steps per second. */
-    steps_per_second: number;
-    /** Steps for which the green object has to touch its goal. */
-    goal_steps: number;
-    /** All maps, in the order in which the nets make them. */
-    maps: MapName[];
-    /** Those that the paper's nets make; every model has them. */
-    paper_maps: MapName[];
-    /** The version of the simulator: rollouts of another may end otherwise. */
-    simulator_version: number;
-    /** The version of the agents: the same model proposes other balls with another. */
-    agents_version: number;
-    /** How far standing sticks lean from the horizontal, degrees. */
-    stick_lean: number;
-    /** Half the thickness of a stick, px. */
-    half_stick: number;
-    /** Height of a jar in widths of its rim. */
-    jar_height_per_width: number;
-    /** Width of a jar's base in widths of its rim. */
-    jar_base: number;
-}
-
 /** A puzzle template and the ids of its tasks ("00007:000"). */
 export interface Template {
     id: string;
@@ -199,29 +152,11 @@ export interface Template {
     tasks: string[];
 }
 
-/** CSS colours of the roles and of the background, `paper`. */
-export interface Palette {
-    paper: string;
-    green: string;
-    blue: string;
-    purple: string;
-    gray: string;
-    black: string;
-    rim: string;
-    red: string;
-    ring: string;
-    ink: string;
-    /** What marks the model's ball and paths as its own. */
-    model: string;
-}
-
-/** What an open puzzle is. */
+/** What a puzzle is: a task has an id; a custom scene has a digest, the SHA-256 of it without its name, and perhaps a name,
+ * what its maker calls it. */
 export interface About {
-    /** Null for a custom scene. */
     id: string | null;
-    /** SHA-256 of a custom scene without its name; null for a task. */
     digest: string | null;
-    /** What its maker calls it; null for a task, and for a scene without a name. */
     name: string | null;
     scene: Scene;
 }
@@ -237,7 +172,6 @@ export interface ShownRollout {
 
 /** What a ball of an open puzzle leads to. */
 export interface RolloutFacts {
-    /** The attempt, as it is kept and saved. */
     line: AttemptLine;
     ending: Ending;
     /** The last step at which anything can be seen to happen. */
@@ -253,9 +187,8 @@ export interface RolloutFacts {
 export interface Ending {
     solved: boolean;
     steps: number;
-    /** The longest touch of object and goal. */
+    /** The longest touch of object and goal, and the one that the rollout ended with; 0 if there was none. */
     longest_touch: number;
-    /** The touch that the rollout ended with; 0 if there was none. */
     final_touch: number;
 }
 
@@ -270,26 +203,6 @@ export interface Rollout extends Ending {
     poses: Float32Array;
     /** For the start and each step: 1 if the green object touches its goal, else 0. */
     touching: Uint8Array;
-}
-
-/** A ball that was simulated. */
-export interface Attempt {
-    ball: Ball;
-    ending: Ending;
-}
-
-/** An attempt as the page lists it. */
-export interface ListedAttempt extends Attempt {
-    /** From 1; 0 if the attempt does not count. */
-    number: number;
-}
-
-/** How an author is doing. */
-export interface Standing {
-    /** Attempts made. */
-    used: number;
-    /** The number of the first attempt that solved the puzzle, from 1. */
-    solved_at: number | null;
 }
 
 /** The real paths of a rollout as masks; no `ball` if the scene ran alone. */
@@ -320,9 +233,8 @@ export interface Proposal {
 export interface ImaginedBall {
     /** The 16 steps after which positions are imagined. */
     steps: Uint32Array;
-    /** The position of the green object after each of these steps: x, y, x, y, … in px. */
+    /** The positions of the green object and of the ball after each of these steps: x, y, x, y, … in px. */
     object: Float32Array;
-    /** The position of the ball after each of these steps. */
     ball: Float32Array;
     /** How far each position is expected to be from the real one, px: first those of the object, then those of the ball. */
     errors: Float32Array;
@@ -331,7 +243,8 @@ export interface ImaginedBall {
 }
 
 /** A ball of the model's turn: proposed, then simulated. */
-export interface TriedProposal extends Attempt, Proposal {
+export interface TriedProposal extends Proposal {
+    ending: Ending;
     /** In a turn with a memory: the earlier puzzle that changed the chance of this ball most, if one did noticeably. */
     reminder?: Reminder;
 }
@@ -344,7 +257,7 @@ export interface Reminder {
     task?: string;
     /** By how much its attempts changed the logit of the ball. */
     change: number;
-    /** The ball of the attempt that changed it most, as it was tried there, and whether it solved. */
+    /** The ball that changed it most, as it was tried there, and whether it solved. */
     ball: Ball;
     solved: boolean;
     /** Whether the scene is like that of the puzzle mirrored. */
@@ -357,14 +270,8 @@ export interface RememberedPuzzle {
     number: number;
     task?: string;
     scene?: Scene;
-    attempts: RememberedAttempt[];
-}
-
-export interface RememberedAttempt {
-    ball: Ball;
-    /** The chance, 0..1, that the ball was given before. */
-    chance: number;
-    solved: boolean;
+    /** Each with the chance, 0..1, that the ball was given before. */
+    attempts: { ball: Ball; chance: number; solved: boolean }[];
 }
 
 /** A ball that the model considers before it chooses one. */
@@ -377,13 +284,9 @@ export interface Candidate {
 }
 
 /** How weights were trained. */
-export interface ModelCard {
+export interface ModelCard extends Training {
     setup: Setup;
     fold: number;
-    seed: number;
-    epochs: number;
-    batch: number;
-    learning_rate: number;
     decay_epochs: number;
     mirror: boolean;
     without_dev: boolean;
@@ -394,48 +297,33 @@ export interface ModelCard {
     dynamics?: DynamicsCard;
 }
 
-/** How the success net of weights was trained. */
-export interface SuccessCard {
+/** The settings that the training of all nets has. */
+export interface Training {
     seed: number;
     epochs: number;
     batch: number;
+    learning_rate: number;
+}
+
+/** How the success net of weights was trained. */
+export interface SuccessCard extends Training {
     balls_per_scene: number;
     /** The optimiser, if not Adam. */
     optimiser?: "muon";
-    learning_rate: number;
     balls: number;
-}
-
-/** How much imagined paths count in the loss of a dynamics net. */
-export interface PathWeights {
-    /** Weight of all paths. */
-    all: number;
-    /** Weight of the paths of balls that solve, relative to those of other balls. */
-    solving: number;
 }
 
 /** How the dynamics net of weights was trained. */
-export interface DynamicsCard {
-    seed: number;
-    epochs: number;
-    batch: number;
-    balls_per_scene: number;
+export interface DynamicsCard extends SuccessCard {
     imagined_per_scene: number;
-    /** The optimiser, if not Adam. */
-    optimiser?: "muon";
-    learning_rate: number;
-    /** How much the paths count in the loss, if not as by default. */
-    path_weights?: PathWeights;
-    balls: number;
+    /** How much the paths count in the loss, if not as by default: all, and those of balls that solve relative to others. */
+    path_weights?: { all: number; solving: number };
     /** The net sees the covered share of each cell. */
     coverage: boolean;
-    /** Variants of the tasks' scenes among the scenes. */
+    /** Of the scenes: variants of tasks, blends of two, tasks that the benchmark does not list, and scenes of no task. */
     variants: number;
-    /** Blends of two tasks' scenes among the scenes. */
     blends?: number;
-    /** How many of the scenes are unlisted tasks: laid out by a template's script, not listed by the benchmark. */
     unlisted?: number;
-    /** Random scenes, of no task, among the scenes. */
     random_scenes?: number;
     /** It has seen random scenes alone, and no task. */
     random_scenes_alone?: boolean;
@@ -446,34 +334,33 @@ export interface DynamicsCard {
     from?: string;
 }
 
-/** What a frame shows. */
+/** What a frame shows; lengths in px, opacities 0..1. */
 export interface View {
     /** Steps since the start; a fraction lies between two steps. */
     step: number;
-    /** The ball being placed. */
+    /** The ball that is being placed, and whether it may be; `paintEditedScene` finds that out itself. */
     ball: Ball | null;
-    /** Whether that ball may be placed there; `paintEditedScene` finds out itself. */
     valid: boolean;
-    /** The radius of the knob on that ball, px; 0 draws none. */
+    /** The radius of the knob on that ball; 0 draws none. */
     knob: number;
     /** Draws whole paths and not only up to the step. */
     whole: boolean;
-    /** Opacity of the maps, 0..1. */
+    /** Opacity of the maps. */
     opacity: number;
     dark: boolean;
-    /** The balls of other attempts. */
-    marks?: Mark[];
-    /** What a person has drawn as the path of the green object, px. */
+    /** Balls that are only marked. */
+    marks?: Ball[];
+    /** What a person has drawn as the path of the green object. */
     sketch?: [x: number, y: number][];
-    /** What the model imagines for a ball. */
-    imagined?: ImaginedPaths | null;
-    /** Paths of the green object that are only hinted at, each with its opacity, 0..1: imagined, or tried by the model. */
-    hints?: { object: Float32Array; opacity: number; tried?: boolean }[];
+    /** What the model imagines for the ball `of`. */
+    imagined?: ({ of: Ball } & Pick<ImaginedBall, "object" | "ball" | "errors">) | null;
+    /** Imagined paths of the green object that are only hinted at. */
+    hints?: { object: Float32Array; opacity: number }[];
     /** Where the first rollout came nearest to the goal. */
-    approach?: Pick<ClosestApproach, "step" | "points"> | null;
+    approach?: ClosestApproach | null;
     /** A contact that sparks for a moment after its step. */
     spark?: Contact | null;
-    /** Whose ball is whose, beside the balls of the recordings in order. */
+    /** Whose ball is whose, beside the balls of the rollouts in order. */
     names?: string[];
 }
 
@@ -492,50 +379,17 @@ export interface Contact {
     point: [x: number, y: number];
 }
 
-/** Moments of the current recordings that playback treats in a special way; all in steps. */
-export interface Moments {
-    /** Stretches, as first and last step, in which nothing moves and no object is on its goal. */
-    quiet: [first: number, last: number][];
-    /** The first contact of the ball with the green object. */
-    contact: Contact | null;
-    /** When the touch begins that solves the puzzle. */
-    deciding: number | null;
-}
-
-/** How hard a task is. */
+/** How hard a task is: how many uniform valid balls were tried on it, and the share of them, 0..1, that solved it. */
 export interface Difficulty {
-    /** How many uniform valid balls were tried on it. */
     balls: number;
-    /** The share of them that solved it, 0..1. */
     solve_rate: number;
 }
 
-/** The imagined paths of a ball, as in `ImaginedBall`. */
-export interface ImaginedPaths extends Pick<ImaginedBall, "object" | "ball" | "errors"> {
-    /** The ball that they are imagined for. */
-    of: Ball;
-}
-
-/** A ball that is only marked. */
-export interface Mark {
-    ball: Ball;
-    /** The place that it comes from, px. */
-    from: [x: number, y: number] | null;
-    chosen: boolean;
-}
-
-/** Code of an error that an export throws. `panic`: a defect in the Rust code; the wasm instance must not be used again. */
+/** Why an export throws: there is no such task; the custom scene may not be played; there is no such map, or it has
+ * another size; the weights are none of these nets; the memory is damaged or of other weights; the ball may not be placed;
+ * a value does not have the agreed form; the Rust code has a defect, and the wasm instance must not be used again. */
 export type ErrorCode =
-    | "bad_task"
-    | "bad_scene"
-    | "bad_map"
-    | "bad_weights"
-    | "bad_memory"
-    | "invalid_ball"
-    | "attempt_limit"
-    | "no_attempt"
-    | "bad_data"
-    | "panic";
+    "bad_task" | "bad_scene" | "bad_map" | "bad_weights" | "bad_memory" | "invalid_ball" | "bad_data" | "panic";
 
 /** What the exports throw. */
 export interface CodedError extends Error {

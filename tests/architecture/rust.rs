@@ -178,11 +178,11 @@ fn every_folder_has_its_place_in_the_order() {
 fn an_import_of_a_later_folder_is_found() {
     let player = |file, code| PLAYER.upward_imports(file, code).len();
     assert_eq!(player("nets/mod.rs", "use crate::agents::Proposal;"), 1);
-    assert_eq!(player("nets/mod.rs", "use crate::{session::game, puzzle::task};"), 1);
-    assert_eq!(player("nets/mod.rs", "use crate::{\n    session::game,\n    puzzle::task,\n};"), 1);
+    assert_eq!(player("nets/mod.rs", "use crate::{session::turn, puzzle::task};"), 1);
+    assert_eq!(player("nets/mod.rs", "use crate::{\n    session::turn,\n    puzzle::task,\n};"), 1);
     assert_eq!(player("nets/mod.rs", "use crate::raster::SIDE;"), 0);
-    assert_eq!(player("commands/tasks.rs", "use pathlight::web::Game;"), 1);
-    assert_eq!(player("commands/tasks.rs", "use pathlight::session::game;"), 0);
+    assert_eq!(player("commands/tasks.rs", "use pathlight::web::Model;"), 1);
+    assert_eq!(player("commands/tasks.rs", "use pathlight::session::turn;"), 0);
     assert_eq!(player("nets/conv/mod.rs", "use crate::nets::conv;"), 0);
     let lab = |file, code| LAB.upward_imports(file, code).len();
     assert_eq!(lab("data/merge.rs", "use crate::training::paths;"), 1);

@@ -46,7 +46,7 @@ export class Benchmark {
 
   /** Returns the scene of a task. */
   scene(task: wasm.Puzzle): wasm.Scene {
-    return wasm.scene(task);
+    return this.about(task).scene;
   }
 
   /** Returns a task in the form of custom scenes, in which it can be changed and played. */
@@ -167,7 +167,7 @@ export class Benchmark {
       painted = { task, open };
     }
     const still = { ball: null, valid: true, knob: 0, whole: false, opacity: 1 };
-    const view = { ...still, step, dark, marks: marks.map((ball) => ({ ball, from: null, chosen: false })) };
+    const view = { ...still, step, dark, marks };
     painted.open.paint(context, [{ ball, of_model: false }], view, []);
   }
 
