@@ -1,8 +1,7 @@
-//! The colours of the roles and of the background, light and dark. The style sheet reads them from `palette`.
+//! The colours of the roles and of the background, light and dark. The page has them from `web::constants`.
 //!
-//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, a purple, and a strong red;
-//! tests/page/palette.test.mjs checks how far it is from the others. The dark palette has lighter tones of the same
-//! hues.
+//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, a purple, and a strong red. The dark
+//! palette has lighter tones of the same hues.
 
 use serde::Serialize;
 

@@ -11,7 +11,6 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Pose, Rollout};
 use crate::puzzle::scene::{Body, Role, SIZE, Scene};
 
-pub mod contour;
 mod scan_conversion;
 pub mod soft_iou;
 
