@@ -3,9 +3,7 @@
 // to extend, which TypeScript lets only a declaration file say.
 
 /** The attributes of the element in JSX. */
-export interface PuzzleAttributes extends Partial<
-  Pick<PathlightPuzzle, "task" | "scene" | "panel" | "layers" | "view" | "challenge" | "lesson" | "hide" | "ball">
-> {
+export interface PuzzleAttributes extends Partial<Pick<PathlightPuzzle, LinkPart>> {
   theme?: "light" | "dark" | null;
   fill?: boolean;
   remember?: boolean;

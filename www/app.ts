@@ -10,7 +10,7 @@ import { Store } from "./core/store.ts";
 import { languageEffect } from "./effects/language.ts";
 import { makingEffect } from "./effects/making.ts";
 import { modelEffects } from "./effects/model.ts";
-import { tourEffect } from "./effects/tour.ts";
+import { walkthroughEffect } from "./effects/walkthrough.ts";
 import { listen } from "./stage/listen.ts";
 import { LoadError } from "./model/loading.ts";
 import { Stage } from "./stage/stage.ts";
@@ -19,7 +19,8 @@ import { loadText } from "./text/text.ts";
 import { description } from "./view/news.ts";
 import { page } from "./view/page.ts";
 import models from "../assets/model.json";
-import type { Kept, Language } from "./core/change/kept.ts";
+import type { Kept } from "./core/change/kept.ts";
+import type { Language } from "./text/language.ts";
 import type { Device } from "./core/change/settings.ts";
 import type { Link } from "./core/change/route.ts";
 import type { Puzzle } from "./core/puzzle.ts";
@@ -82,7 +83,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const first = start(named, given.puzzle, given.kept, device(), text, ball);
   const store = new Store(first, [
     languageEffect,
-    tourEffect,
+    walkthroughEffect,
     makingEffect,
     ...modelEffects(given.files),
     ...given.effects,
@@ -148,9 +149,4 @@ function isOffline({ model }: State): boolean {
 export async function explained(error: unknown, language: Language): Promise<string> {
   const { page } = await loadText(language);
   return page.failure(error instanceof LoadError ? error.failure : { code: "broken", reason: String(error) });
-}
-
-/** The language of a tag like "de-AT"; English for all that there are no texts for. */
-export function languageOf(tag: string): Language {
-  return /^de\b/i.test(tag) ? "de" : "en";
 }

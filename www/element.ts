@@ -7,8 +7,8 @@
 // Besides, `theme` is "light" or "dark", `fill` takes the height of its container, and `remember` keeps attempts and
 // choices in this browser (read once, when the puzzle is opened).
 
-import { follow, puzzleOf } from "./actions.ts";
-import { explained, filesAt, languageOf, mount } from "./app.ts";
+import { follow, puzzleOf } from "./opening.ts";
+import { explained, filesAt, mount } from "./app.ts";
 import { NOTHING_KEPT, choose } from "./core/change/kept.ts";
 import { attempts, toldAttempts } from "./core/derived/duel.ts";
 import { theme } from "./core/derived/looks.ts";
@@ -16,9 +16,11 @@ import { nextTask } from "./core/derived/next.ts";
 import { LINK_PARTS, linkOf, readParts, writePart } from "./effects/address.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
+import { languageOf } from "./text/language.ts";
 import css from "./style.css";
 import type { Files } from "./app.ts";
-import type { Language, Theme } from "./core/change/kept.ts";
+import type { Theme } from "./core/change/kept.ts";
+import type { Language } from "./text/language.ts";
 import type { Link } from "./core/change/route.ts";
 import type { State } from "./core/state.ts";
 import type { Effect } from "./core/store.ts";
@@ -67,6 +69,9 @@ declare global {
     "pathlight-puzzle": PathlightPuzzle;
   }
 }
+
+/** The attributes that are parts of a link. */
+export type LinkPart = keyof Link;
 
 const PROPERTIES = [...LINK_PARTS, "theme"] as const;
 

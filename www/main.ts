@@ -1,7 +1,7 @@
 // The page: opens what the address names, and keeps what is played.
 
-import { follow, homeTask, puzzleOf } from "./actions.ts";
-import { explained, filesAt, languageOf, mount } from "./app.ts";
+import { follow, homeTask, puzzleOf } from "./opening.ts";
+import { explained, filesAt, mount } from "./app.ts";
 import { setNotice } from "./core/change/settings.ts";
 import { addressEffect, pageOf, readAddress } from "./effects/address.ts";
 import { recordedEffect } from "./effects/home.ts";
@@ -10,6 +10,7 @@ import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts
 import { takeOver } from "./effects/old-keeping.ts";
 import { documentEffect } from "./effects/language.ts";
 import { loadSimulator, openPuzzle } from "./simulator.ts";
+import { languageOf } from "./text/language.ts";
 import { loadText } from "./text/text.ts";
 import type { Puzzle } from "./core/puzzle.ts";
 

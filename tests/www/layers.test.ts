@@ -13,7 +13,7 @@ const LAYERS = [
   "core",
   "model",
   "simulator",
-  "actions",
+  "opening",
   "effects",
   "stage",
   "view",

@@ -60,8 +60,7 @@ export function lessonAddress(state: State): string | null {
 
 /** Names the open puzzle, without anything that is seen of it. */
 function ownLink({ route, puzzle }: State): Link {
-  const { panel, layers, view, challenge, lesson, hide, ball } = START;
-  return { ...route, task: puzzle.about.id, panel, layers, view, challenge, lesson, hide, ball };
+  return { ...START, task: puzzle.about.id, scene: route.scene };
 }
 
 export const qrEffect: Effect<State> = {

@@ -4,6 +4,10 @@
 
 import { offline as de } from "../text/de/offline.ts";
 import { offline as en } from "../text/en/offline.ts";
+import { languageOf } from "../text/language.ts";
+import type { Language } from "../text/language.ts";
+
+const TEXTS: Record<Language, typeof en> = { en, de };
 
 const SERVICE_WORKER = "service-worker.js";
 /** Longest wait for an idle page before the service worker is registered, ms. */
@@ -83,7 +87,7 @@ async function isGone(): Promise<boolean> {
 function offer(act: () => void): void {
   const bar = document.getElementById("update")!;
   if (!bar.hidden) return;
-  const { available, load, later } = document.documentElement.lang === "de" ? de : en;
+  const { available, load, later } = TEXTS[languageOf(document.documentElement.lang)];
   const [yes, no] = bar.querySelectorAll("button");
   yes!.textContent = load;
   no!.textContent = later;

@@ -1,6 +1,6 @@
 // Pointer, wheel and keys, as changes of the state. Decides nothing itself.
 
-import { goBy, takeNextStep } from "../actions.ts";
+import { goBy, takeNextStep } from "../opening.ts";
 import { openPanel, present } from "../core/change/route.ts";
 import { again, stepBy, togglePlaying } from "../core/change/run.ts";
 import { shownPanels } from "../core/derived/hidden.ts";

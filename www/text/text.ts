@@ -1,15 +1,15 @@
 // The texts of the page. The English ones are the form of all others; only those of the language in use are loaded.
 
-import type { Language } from "../core/change/kept.ts";
+import type { Language } from "./language.ts";
 import type { en } from "./en/en.ts";
 
 export type Text = typeof en;
 
-export const LANGUAGES: Record<Language, { readonly name: string; load(): Promise<Text> }> = {
+export const TEXTS: Record<Language, { readonly name: string; load(): Promise<Text> }> = {
   en: { name: "English", load: async () => (await import("./en/en.ts")).en },
   de: { name: "Deutsch", load: async () => (await import("./de/de.ts")).de },
 };
 
 export function loadText(language: Language): Promise<Text> {
-  return LANGUAGES[language].load();
+  return TEXTS[language].load();
 }

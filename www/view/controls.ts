@@ -2,7 +2,7 @@
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { takeNextStep } from "../actions.ts";
+import { takeNextStep } from "../opening.ts";
 import { canRun } from "../core/change/sketch.ts";
 import { isSettled } from "../core/change/make.ts";
 import { toggleIntro } from "../core/change/home.ts";

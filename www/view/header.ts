@@ -1,7 +1,7 @@
 // The header: which puzzle is open, the way to others, and the menu.
 
 import { html, nothing } from "lit-html";
-import { goBy, goTo } from "../actions.ts";
+import { goBy, goTo } from "../opening.ts";
 import { choose } from "../core/change/kept.ts";
 import { present } from "../core/change/route.ts";
 import { openSheet } from "../core/change/sheet.ts";
@@ -9,9 +9,10 @@ import { canGoOn, isHidden } from "../core/derived/hidden.ts";
 import { isHome } from "../core/derived/home.ts";
 import { taskOf } from "../core/derived/next.ts";
 import { theme } from "../core/derived/looks.ts";
-import { LANGUAGES } from "../text/text.ts";
+import { TEXTS } from "../text/text.ts";
 import { icon } from "./icons.ts";
-import type { Language, Theme } from "../core/change/kept.ts";
+import type { Theme } from "../core/change/kept.ts";
+import type { Language } from "../text/language.ts";
 import type { State } from "../core/state.ts";
 import type { App, View } from "./view.ts";
 
@@ -79,7 +80,7 @@ function menu({ store }: App): View {
       </div>
       <fieldset>
         <legend>${text.page.language}</legend>
-        ${Object.entries(LANGUAGES).map(
+        ${Object.entries(TEXTS).map(
           ([language, { name }]) =>
             html`<button
               lang=${language}

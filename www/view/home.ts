@@ -2,7 +2,7 @@
 
 import { html, nothing, svg } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
-import { goTo } from "../actions.ts";
+import { goTo } from "../opening.ts";
 import { openSheet } from "../core/change/sheet.ts";
 import { PANELS } from "../core/change/route.ts";
 import { difficulty, introShown, kindsOf, progress, standing, taskOfDay, unsolvedTask } from "../core/derived/home.ts";

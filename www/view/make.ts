@@ -2,7 +2,7 @@
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { openScene } from "../actions.ts";
+import { openScene } from "../opening.ts";
 import { choose, keepPuzzles } from "../core/change/kept.ts";
 import {
   add,

@@ -2,9 +2,9 @@
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import type { AttemptLine, CustomScene, Setup } from "../../pkg/page/pathlight.js";
+import type { Language } from "../../text/language.ts";
 import type { State } from "../state.ts";
 
-export type Language = "en" | "de";
 export type Theme = "light" | "dark";
 
 export interface Kept extends Choices {

@@ -1,6 +1,7 @@
 // The device and the language of the page, and what it says when something goes wrong.
 
-import type { Language, Theme } from "./kept.ts";
+import type { Language } from "../../text/language.ts";
+import type { Theme } from "./kept.ts";
 import type { NamedProblem } from "../derived/bodies.ts";
 import type { State } from "../state.ts";
 import type { Text } from "../../text/text.ts";

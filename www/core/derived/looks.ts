@@ -1,6 +1,7 @@
 // How the page looks and speaks: as the person has chosen, or as the device has it.
 
-import type { Language, Theme } from "../change/kept.ts";
+import type { Language } from "../../text/language.ts";
+import type { Theme } from "../change/kept.ts";
 import type { State } from "../state.ts";
 
 export const theme = ({ kept, device }: State): Theme => kept.theme ?? device.theme;

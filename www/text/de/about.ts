@@ -18,7 +18,7 @@ export const about: Text["about"] = {
     [", .", "einen Schritt zurück oder vor"],
     ["R", "neuer Versuch"],
     ["Strg+Z Strg+Y", "rückgängig, wiederholen"],
-    ["1 2 3", "die Bereiche"],
+    ["1 … 5", "die Bereiche"],
     ["[ ]", "das Rätsel davor und danach"],
   ],
   source: "Quelltext und Zitat",

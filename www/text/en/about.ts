@@ -16,7 +16,7 @@ export const about = {
     [", .", "one step back or forward"],
     ["R", "try again"],
     ["Ctrl+Z Ctrl+Y", "undo, redo"],
-    ["1 2 3", "the panels"],
+    ["1 … 5", "the panels"],
     ["[ ]", "the puzzle before, and after"],
   ] as [keys: string, does: string][],
   source: "Source code and citation",

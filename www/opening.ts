@@ -1,0 +1,111 @@
+// What a person asks for that needs more than a change of the state: another puzzle has to be opened.
+
+import { endIntro } from "./core/change/home.ts";
+import { making } from "./core/change/make.ts";
+import { openPanel, opened, routed } from "./core/change/route.ts";
+import { again, drop, togglePlaying } from "./core/change/run.ts";
+import { letRun } from "./core/change/sketch.ts";
+import { setNotice } from "./core/change/settings.ts";
+import { nextStep } from "./core/derived/duel.ts";
+import { canGoOn } from "./core/derived/hidden.ts";
+import { isHome } from "./core/derived/home.ts";
+import { FIRST_TASK, neighbour, nextTask } from "./core/derived/next.ts";
+import { namedProblem } from "./core/derived/bodies.ts";
+import { readSceneText, textOfScene } from "./core/scene-link.ts";
+import { benchmark, openPuzzle, problemsOf } from "./simulator.ts";
+import type { BadScene } from "./core/change/settings.ts";
+import type { Kept } from "./core/change/kept.ts";
+import type { Link } from "./core/change/route.ts";
+import type { Puzzle } from "./core/puzzle.ts";
+import type { State } from "./core/state.ts";
+import type { Store } from "./core/store.ts";
+import type { CustomScene } from "./pkg/page/pathlight.js";
+
+export function follow(store: Store<State>, link: Link): void {
+  if (link.scene !== null) return void followScene(store, link, link.scene);
+  const { route, puzzle } = store.state;
+  if (link.task === null && isHome(store.state)) return;
+  const task = link.task ?? homeTask(store.state.kept);
+  if (link.task !== null && task === route.task) return store.change(routed, link);
+  try {
+    // From the picture on the home page one goes on in the puzzle that lies open there.
+    store.change(opened, link, task === puzzle.about.id ? puzzle : openPuzzle(task));
+  } catch {
+    store.change(setNotice, { kind: "no_task", task });
+  }
+}
+
+async function followScene(store: Store<State>, link: Link, text: string): Promise<void> {
+  const { route } = store.state;
+  if (text === route.scene) return store.change(routed, { ...link, task: null });
+  const puzzle = await puzzleOf(text);
+  // The person has gone on meanwhile.
+  if (store.state.route !== route) return;
+  if ("problem" in puzzle) store.change(setNotice, { kind: "bad_scene", ...puzzle });
+  else store.change(opened, { ...link, task: null }, puzzle);
+}
+
+/** The puzzle of a link's text, or why there is none. */
+export async function puzzleOf(text: string): Promise<Puzzle | BadScene> {
+  const value = await readSceneText(text).catch(() => null);
+  const scene = value as CustomScene;
+  if (value === null || typeof value !== "object") return { problem: null };
+  const [problem] = problemsOf(scene);
+  return problem ? { problem: namedProblem(scene, problem) } : openPuzzle(scene);
+}
+
+/** Opens a custom puzzle that may be played. */
+export async function openScene(store: Store<State>, scene: CustomScene): Promise<void> {
+  follow(store, { ...store.state.route, task: null, scene: await textOfScene(scene), ball: null });
+}
+
+/** The large button. */
+export function takeNextStep(store: Store<State>): void {
+  switch (nextStep(store.state)) {
+    case "try":
+      if (problemsOf(making(store.state).scene).length === 0) store.change(openPanel, "play");
+      return;
+    case "start":
+      return store.change(endIntro);
+    case "drop":
+      return store.change(drop);
+    case "run":
+      return store.change(letRun);
+    case "pause":
+    case "play":
+      return store.change(togglePlaying);
+    case "again":
+    case "back":
+    case "make":
+      return store.change(again);
+    case "next":
+      return goNext(store);
+  }
+}
+
+/** A puzzle that is new to person and model. */
+export function goNext(store: Store<State>): void {
+  if (store.state.route.lesson.length) return goBy(store, 1);
+  goTo(store, suggested(store.state));
+}
+
+/** The puzzle some places further in the list of all. */
+export function goBy(store: Store<State>, places: number): void {
+  const { route, puzzle } = store.state;
+  if (!canGoOn(store.state)) return;
+  const { tasks } = route.lesson.length ? { tasks: route.lesson } : benchmark();
+  goTo(store, neighbour({ tasks }, puzzle.about.id, places));
+}
+
+export function goTo(store: Store<State>, task: string): void {
+  follow(store, { ...store.state.route, task, scene: null, challenge: null, ball: null });
+}
+
+function suggested({ puzzle, kept }: State): string {
+  return nextTask(benchmark(kept.model), puzzle.about.id, (task) => task in kept.attempts);
+}
+
+/** The puzzle in the picture on the home page: new to person and model. */
+export function homeTask({ attempts, model }: Kept): string {
+  return FIRST_TASK in attempts ? nextTask(benchmark(model), null, (task) => task in attempts) : FIRST_TASK;
+}

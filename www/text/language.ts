@@ -1,0 +1,10 @@
+// The languages of the page.
+
+export const LANGUAGES = ["en", "de"] as const;
+export type Language = (typeof LANGUAGES)[number];
+
+/** The language of a tag like "de-AT"; English for all that there are no texts for. */
+export function languageOf(tag: string): Language {
+  const [name] = tag.toLowerCase().split("-");
+  return LANGUAGES.find((one) => one === name) ?? "en";
+}
