@@ -23,7 +23,6 @@ export const home: Text["home"] = {
   result: (solved, off, radius) =>
     `${solved ? "Gelöst" : "Verfehlt"}: Seine Vermutung lag um ${balls(off, radius)} daneben. Du bist dran: Klick oder tipp ins Bild.`,
 
-  picks: "Womit du anfangen kannst",
   day: "Rätsel des Tages",
   date: (day) =>
     new Intl.DateTimeFormat("de", { day: "numeric", month: "long", timeZone: "UTC" }).format(day * 86_400_000),

@@ -25,7 +25,6 @@ const FAILURES: Record<Failure["code"], string> = {
 
 export const page: Text["page"] = {
   brand: "Pathlight",
-  skip: "Zur Szene springen",
   share: "Teilen",
   present: "Präsentation",
   leave: "Präsentation verlassen",

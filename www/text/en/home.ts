@@ -22,7 +22,6 @@ export const home = {
   result: (solved: boolean, off: number, radius: number) =>
     `${solved ? "Solved" : "Missed"}: its guess was ${balls(off, radius)} off. Your turn: click or tap in the picture.`,
 
-  picks: "Where to begin",
   day: "Puzzle of the day",
   date: (day: number) =>
     new Intl.DateTimeFormat("en-GB", { day: "numeric", month: "long", timeZone: "UTC" }).format(day * 86_400_000),

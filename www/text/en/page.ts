@@ -24,7 +24,6 @@ const FAILURES: Record<Failure["code"], string> = {
 
 export const page = {
   brand: "Pathlight",
-  skip: "Skip to the scene",
   share: "Share",
   present: "Presentation",
   leave: "Leave the presentation",
