@@ -6,11 +6,11 @@ use wasm_bindgen::prelude::*;
 
 use super::data::{from_js, to_js, whole_number};
 use super::error::{Code, error};
+use super::maps::check_size;
 use crate::benchmark::difficulty;
 use crate::benchmark::folds::{FOLDS, Fold, Setup};
 use crate::puzzle::task::{self, TaskError, TaskId};
 use crate::puzzle::templates::TEMPLATES;
-use crate::raster::CELLS;
 
 thread_local! {
     static SHIPPED: difficulty::Difficulty = difficulty::Difficulty::shipped();
@@ -74,8 +74,7 @@ pub fn auccess(
 /// Returns the soft IoU of two maps of 64 x 64 values in 0..=1: from 0 (nothing in common) to 1 (equal).
 #[wasm_bindgen(js_name = softIou)]
 pub fn soft_iou(one: &[f32], other: &[f32]) -> Result<f64, JsValue> {
-    match [one.len(), other.len()] {
-        [CELLS, CELLS] => Ok(crate::raster::soft_iou::soft_iou(one, other)),
-        [a, b] => Err(error(Code::BadMap, format!("a map holds {CELLS} values, not {a} or {b}"))),
-    }
+    check_size(one.len())?;
+    check_size(other.len())?;
+    Ok(crate::raster::soft_iou::soft_iou(one, other))
 }

@@ -39,11 +39,9 @@ pub fn paint_outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark:
 }
 
 /// Refuses a map that is not 64 x 64.
-fn check_size(cells: usize) -> Result<(), JsValue> {
-    if cells == CELLS {
-        return Ok(());
-    }
-    Err(error(Code::BadMap, format!("a map holds {SIDE} x {SIDE} values, not {cells}")))
+pub(super) fn check_size(cells: usize) -> Result<(), JsValue> {
+    let refused = || error(Code::BadMap, format!("a map holds {SIDE} x {SIDE} values, not {cells}"));
+    if cells == CELLS { Ok(()) } else { Err(refused()) }
 }
 
 /// Copies RGBA pixels, row by row from the top, into the upper left corner of a canvas.

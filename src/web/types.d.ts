@@ -1,12 +1,12 @@
 /** The red ball, px: its centre, counted from the lower left corner of the scene, and its radius. */
 export type Ball = [x: number, y: number, r: number];
 
-/** PHYRE's colour for a body: the green object, its blue (dynamic) or purple (static) goal, other dynamic (gray) and static
- * (black) bodies. */
+/** PHYRE's colour for a body: the green object, its blue (dynamic) or purple (static) goal, other dynamic (gray) and
+ * static (black) bodies. */
 export type Role = "green" | "blue" | "purple" | "gray" | "black";
 
-/** One convex shape in the coordinates of its body, px: a circle of this radius around the origin, or a polygon with its
- * corners counter-clockwise. */
+/** One convex shape in the coordinates of its body, px: a circle of this radius around the origin, or a polygon with
+ * its corners counter-clockwise. */
 export type Shape = { circle: number } | { polygon: [x: number, y: number][] };
 
 /** A rigid body. Its origin is at x, y (px); the angle is in radians, counter-clockwise. */
@@ -20,16 +20,16 @@ export interface Body {
     parts: Shape[];
 }
 
-/** A scene of 256 x 256 px, y up, without the walls around it. The goal: `body1` touches `body2` for three seconds; both
- * are indices into `bodies`. */
+/** A scene of 256 x 256 px, y up, without the walls around it. The goal: `body1` touches `body2` for three seconds;
+ * both are indices into `bodies`. */
 export interface Scene {
     body1: number;
     body2: number;
     bodies: Body[];
 }
 
-/** A scene that somebody has made, as it is edited, shared and stored; `scene.schema.json` is its schema. Colours follow from
- * the goal: the body `body1`, which is dynamic, touches `body2` for three seconds. */
+/** A scene that somebody has made, as it is edited, shared and stored; `scene.schema.json` is its schema. Colours
+ * follow from the goal: the body `body1`, which is dynamic, touches `body2` for three seconds. */
 export interface CustomScene {
     version: 1;
     /** What its maker calls it, at most 60 characters. */
@@ -39,8 +39,8 @@ export interface CustomScene {
     bodies: CustomBody[];
 }
 
-/** A body of a custom scene; lengths in px, the angle in radians, counter-clockwise. The origin at x, y is the centre of a ball
- * or of a bar, the middle of a jar's base, or where sticks cross. */
+/** A body of a custom scene; lengths in px, the angle in radians, counter-clockwise. The origin at x, y is the centre
+ * of a ball or of a bar, the middle of a jar's base, or where sticks cross. */
 export type CustomBody = { x: number; y: number; angle: number; dynamic: boolean } & (
     | { shape: "ball"; radius: number }
     | { shape: "bar"; length: number; thickness: number }
@@ -69,8 +69,8 @@ export type SceneFault =
     | { kind: "sticks_out" | "sticks_out_of_corner" | "outside"; by: number }
     | { kind: "overlap"; by: number; most: number };
 
-/** The limits of custom scenes: least and most, lengths in px; `max_overlap`: how deep two bodies may overlap at the start if
- * one is dynamic; `name_length`: most characters of a name. */
+/** The limits of custom scenes: least and most, lengths in px; `max_overlap`: how deep two bodies may overlap at the
+ * start if one is dynamic; `name_length`: most characters of a name. */
 export interface SceneLimits {
     bodies: [number, number];
     ball_radius: [number, number];
@@ -92,8 +92,8 @@ export interface FoundSolutions {
     /** Balls that may be placed, all of which were simulated, and those of them that solve. */
     valid: number;
     solved: number;
-    /** The share of the benchmark's tasks that are harder, 0..1, by the share of valid balls that solve; those that are as
-     * hard count half. Null without a valid ball. */
+    /** The share of the benchmark's tasks that are harder, 0..1, by the share of valid balls that solve; those that are
+     * as hard count half. Null without a valid ball. */
     rank: number | null;
     /** The solving ball around which most balls solve too; null if none solves. */
     easiest: Ball | null;
@@ -132,7 +132,7 @@ export type Verification =
 /** What an agent has to generalise to: new tasks of templates that it was trained on, or new templates. */
 export type Setup = "within" | "cross";
 
-/** The ids of the tasks of a fold. `train` and `dev` together are PHYRE's training tasks; settings are chosen on `dev`. */
+/** The ids of a fold's tasks. PHYRE's training tasks are `train` and `dev`, on which settings are chosen. */
 export type Fold = Record<"train" | "dev" | "test", string[]>;
 
 /** The maps that the nets imagine, in the order in which they make them. */
@@ -152,8 +152,8 @@ export interface Template {
     tasks: string[];
 }
 
-/** What a puzzle is: a task has an id; a custom scene has a digest, the SHA-256 of it without its name, and perhaps a name,
- * what its maker calls it. */
+/** What a puzzle is: a task has an id; a custom scene has a digest, the SHA-256 of it without its name, and perhaps a
+ * name, what its maker calls it. */
 export interface About {
     id: string | null;
     digest: string | null;
@@ -197,7 +197,7 @@ export interface Rollout extends Ending {
     status: Status;
     /** Why the ball is invalid, as a phrase; null if it is valid. */
     reason: string | null;
-    /** The dynamic bodies as indices into the scene's bodies; the ball comes last and has the index after the last body. */
+    /** The dynamic bodies as indices into the scene's bodies; the ball comes last, with the next free index. */
     bodies: Uint32Array;
     /** `[steps + 1, bodies, 3]`: x, y (px) and angle (radians) of each dynamic body; the first row is the start. */
     poses: Float32Array;
@@ -211,9 +211,9 @@ export interface PathMasks {
     ball?: GridMap;
 }
 
-/** Where a proposed ball comes from: what the dynamics net imagines (the probability before any attempt and now, and the
- * attempt, from 1, that lowered it most), the success net, a cell of the placement map (px), an earlier proposal with
- * noise, or the whole action space. */
+/** Where a proposed ball comes from: what the dynamics net imagines (the probability before any attempt and now, and
+ * the attempt, from 1, that lowered it most), the success net, a cell of the placement map (px), an earlier proposal
+ * with noise, or the whole action space. */
 export type Origin =
     | { kind: "imagined"; prior: number; probability: number; lowered_by: number | null }
     | { kind: "success"; probability: number }
@@ -236,7 +236,7 @@ export interface ImaginedBall {
     /** The positions of the green object and of the ball after each of these steps: x, y, x, y, … in px. */
     object: Float32Array;
     ball: Float32Array;
-    /** How far each position is expected to be from the real one, px: first those of the object, then those of the ball. */
+    /** How far each position is expected to be off, px: first those of the object, then those of the ball. */
     errors: Float32Array;
     /** The probability that the ball solves the task, 0..1. */
     probability: number;
@@ -316,11 +316,11 @@ export interface SuccessCard extends Training {
 /** How the dynamics net of weights was trained. */
 export interface DynamicsCard extends SuccessCard {
     imagined_per_scene: number;
-    /** How much the paths count in the loss, if not as by default: all, and those of balls that solve relative to others. */
+    /** How much paths count in the loss, if not as by default; `solving`: those of balls that solve, to others. */
     path_weights?: { all: number; solving: number };
     /** The net sees the covered share of each cell. */
     coverage: boolean;
-    /** Of the scenes: variants of tasks, blends of two, tasks that the benchmark does not list, and scenes of no task. */
+    /** Of the scenes: variants of tasks, blends of two, tasks that the benchmark does not list, and no tasks. */
     variants: number;
     blends?: number;
     unlisted?: number;
@@ -385,9 +385,9 @@ export interface Difficulty {
     solve_rate: number;
 }
 
-/** Why an export throws: there is no such task; the custom scene may not be played; there is no such map, or it has
- * another size; the weights are none of these nets; the memory is damaged or of other weights; the ball may not be placed;
- * a value does not have the agreed form; the Rust code has a defect, and the wasm instance must not be used again. */
+/** Why an export throws: no such task; a custom scene that may not be played; no such map, or one of another size;
+ * weights of other nets; a memory that is damaged or of other weights; a ball that may not be placed; a value without
+ * the agreed form; a defect in the Rust code, after which the wasm instance must not be used again. */
 export type ErrorCode =
     "bad_task" | "bad_scene" | "bad_map" | "bad_weights" | "bad_memory" | "invalid_ball" | "bad_data" | "panic";
 
