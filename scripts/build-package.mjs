@@ -80,8 +80,9 @@ function declare(path, placed = new Set()) {
   if (path.startsWith("pkg/")) return placeWasmTypes(path);
   const text = readFileSync(join(declarations, "www", path), "utf8");
   for (const [, name] of text.matchAll(/(?:from |import\()"(\.[^"]+)"/g))
-    declare(join(dirname(path), name).replace(/(\.ts|\.js)$/, ".d.ts"), placed);
-  write(path, text.replaceAll(/("\.[^"]+)\.ts"/g, '$1.js"'));
+    declare(join(dirname(path), name).replace(/(\.ts|\.js)?$/, ".d.ts"), placed);
+  // A type that the compiler has found itself it imports without an ending, which Node's resolution needs.
+  write(path, text.replaceAll(/((?:from |import\()"\.[^"]+?)(\.ts|\.js)?"/g, '$1.js"'));
 }
 /** Projects for Node alone have no types of the web; without them the declarations do not compile. */
 function placeWasmTypes(path) {

@@ -94,7 +94,7 @@ test("100 tasks in a row leave nothing behind in the memory", async () => {
       `${act.name}: ${before} bytes became ${memory.buffer.byteLength}`,
     );
   }
-  assert.deepEqual(freed, { [opener]: 100, Model: 6, SolveMap: 100, Turn: 100 });
+  assert.deepEqual(freed, { OpenPuzzle: 100, Model: 6, SolveMap: 100, Turn: 100 });
 });
 
 test("a scene, its raster and a rollout fit together", async () => {
