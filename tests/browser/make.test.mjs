@@ -52,6 +52,7 @@ test("a body that is dragged stays where it is dropped; the puzzle is played, an
   await page.mouse.click(...(await spot(page, 128, 40)));
   await drop(page);
   await page.getByRole("list", { name: "You against the model" }).getByRole("button").waitFor();
+  await addressHas(page, /&ball=/);
   const other = await openMake(new URL(page.url()).hash.replace(/&ball=[^&]*/, "&panel=make"));
   await title(other, "Two Drops, changed");
   await described(other, /green ball at x 200, y 100/);
