@@ -56,7 +56,7 @@ pub enum Verdict {
 pub enum LineFault {
     /// It does not have the form of an attempt.
     Form,
-    /// Its task, scene or engine is none that can be simulated.
+    /// Its task or scene is none that can be simulated.
     Puzzle,
     /// Its ball may not be placed.
     Ball,

@@ -20,7 +20,7 @@ use crate::puzzle::scene::Scene;
 
 /// What computes a rollout.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "lowercase", try_from = "String")]
 pub enum Engine {
     /// The port of Box2D.
     #[default]
@@ -106,6 +106,14 @@ impl Engine {
 impl fmt::Display for Engine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
+    }
+}
+
+impl TryFrom<String> for Engine {
+    type Error = UnknownEngine;
+
+    fn try_from(name: String) -> Result<Engine, UnknownEngine> {
+        name.parse()
     }
 }
 
