@@ -17,7 +17,7 @@ const SHIFTS: [f64; 3] = [-0.5, 0.0, 0.5];
 /// use pathlight::search::stability::is_stable;
 ///
 /// let scene = Task::load("00007:008".parse()?)?.scene;
-/// assert!(is_stable(&scene, Ball { x: 178.0, y: 218.0, r: 19.0 })?);
+/// assert!(is_stable(&scene, Ball { x: 166.0, y: 211.0, r: 9.0 })?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

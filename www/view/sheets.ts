@@ -8,6 +8,7 @@ import { PRESETS, forget, openSheet, setLesson, setShare, toggleHidden, usePrese
 import { playerSolvedAt } from "../core/derived/duel.ts";
 import { canShare, copy, lessonAddress, share, shareAddress, shareText } from "../effects/sharing.ts";
 import { download } from "../effects/files.ts";
+import { checkbox } from "./widgets.ts";
 import type { Sheet } from "../core/change/sheet.ts";
 import type { App, View } from "./view.ts";
 
@@ -172,12 +173,6 @@ function forgetSheet({ store }: App): View {
       <button @click=${() => store.change(openSheet, null)}>${text.home.keep}</button>
       <button @click=${() => store.change(forget, Date.now())}>${text.home.forget}</button>
     </p>`;
-}
-
-function checkbox(checked: boolean, label: string, onChange: () => void): View {
-  return html`<label class="switch"
-    ><input type="checkbox" .checked=${live(checked)} @change=${onChange} />${label}</label
-  >`;
 }
 
 function selected({ target }: Event): void {
