@@ -1,75 +1,74 @@
-// Films the README's animation from the real page: node tests/browser/film.mjs [TASK] A tool, not a test: it asserts
-// nothing. The presentation tells its story: what the model imagines, the ball that it chooses, and what that does. The
-// page's clock is stopped between two frames of the run, so that it moves evenly on a slow machine too.
+// Films the README's animation from the real page: node tests/browser/film.mjs. A tool, not a test: it asserts nothing.
+// The walkthrough tells what the model imagines and what its ball does; then a ball of a person's drops against it. The
+// page's clock is stopped between two frames of a run, so that it moves evenly on a slow machine too.
 
 import { writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import gifenc from "gifenc";
 import { PNG } from "pngjs";
-import { start } from "./harness.mjs";
+import { painted, start } from "./harness.mjs";
+import { button, place, says } from "./player.mjs";
 
 const { GIFEncoder, applyPalette, quantize } = gifenc;
 
-const out = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "assets", "film.gif");
-const task = process.argv[2] ?? "00002:017";
-const [width, height] = [720, 450];
-/** The steps of the story that are filmed, and how long each is shown, ms. */
-const STEPS = {
-  base: 1800,
-  target: 1800,
-  action: 1800,
-  placement: 1800,
-  imagined: 2500,
-  chosen: 1800,
-  run: 100,
-  real: 3500,
-};
-/** Time on the page between two frames of the run, ms; it is played faster than it happens. */
-const RUN_FRAME = 200;
+const OUT = join(dirname(fileURLToPath(import.meta.url)), "../../assets/film.gif");
+const TASK = "00002:017";
+/** A ball that misses, so that the film ends with a question. */
+const BALL = [176, 170, 16];
+const VIEWPORT = { width: 960, height: 600 };
+/** Pixels of the film for each of the page. */
+const SCALE = 0.75;
+const [WIDTH, HEIGHT] = [VIEWPORT.width * SCALE, VIEWPORT.height * SCALE];
+/** How long a step is looked at, and a result, ms. */
+const [LOOK, RESULT] = [1800, 3500];
+/** Time on the page between two frames of a run, and how long each is shown, ms: it is played faster than it happens. */
+const [RUN_FRAME, RUN_LOOK] = [200, 100];
 /** More frames than any run has. */
 const MOST_FRAMES = 300;
 /** Colours of the film; one more is left for what does not change. */
 const COLOURS = 127;
 
 const session = await start();
-const page = await session.open("", { viewport: { width, height } });
+const page = await session.open("", { viewport: VIEWPORT, deviceScaleFactor: SCALE });
 await page.clock.install();
-await page.goto(`${session.origin}/#task=${task}&view=presentation`);
-await page.locator("#imagined-in").filter({ hasText: "Imagined in" }).waitFor({ state: "attached" });
+await page.goto(`${session.origin}/#task=${TASK}&panel=imagine`);
+await page.getByRole("group", { name: "Maps over the scene" }).waitFor();
 
 /** @type {{ pixels: Uint8Array, delay: number }[]} */
 const frames = [];
-await take(1800);
-for (let number = 1, count = 1; number <= count; number++) {
-  await page.keyboard.press("PageDown");
-  const place = page.locator("#caption-step", { hasText: `${number} of` });
-  await place.waitFor();
-  count = Number((await place.textContent())?.split(" of ")[1]);
-  const result = page.locator("#caption-result");
-  await result.filter({ hasText: /\S.*\.$/ }).waitFor();
-  await result.filter({ hasText: "is choosing" }).waitFor({ state: "detached" });
-  const step = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("step"));
-  if (step === "run") await filmRun();
-  else if (step && step in STEPS) await take(STEPS[step]);
+await take(LOOK);
+for (let step = 1; step < 6; step++) {
+  await button(page, new RegExp(`^Step ${step}`)).click();
+  if (step === 5) await says(page, /It considered/);
+  await painted(page);
+  await take(LOOK);
 }
+await filmRun(/^Step 6/);
+await page.getByRole("tab", { name: "Play" }).click();
+await place(page, BALL, TASK);
+await page.waitForFunction(() => document.querySelector(".hint")?.textContent === "Ready. Drop it!");
+await painted(page);
+await take(LOOK);
+await filmRun("Drop it");
 await session.stop();
 
 const gif = encode();
-await writeFile(out, gif);
-console.log(`${out}: ${frames.length} frames, ${(gif.length / 1000).toFixed(0)} kB`);
+await writeFile(OUT, gif);
+console.log(`${OUT}: ${frames.length} frames, ${(gif.length / 1000).toFixed(0)} kB`);
 
-/** Films the run to its end. */
-async function filmRun() {
-  const time = page.locator("#time");
+/** Begins a run by a button, and films it to its verdict. */
+async function filmRun(name) {
   await page.clock.pauseAt(await page.evaluate(() => Date.now() + 500));
-  // On a busy machine the run starts after the clock has been stopped.
-  for (let last = -1, now = 0; now > last || now === 0; last = now, now = Number(await time.inputValue())) {
-    if (frames.length > MOST_FRAMES) throw new Error("the run does not end");
-    await take(STEPS.run);
+  await button(page, name).click();
+  for (let count = 0; (await page.locator(".verdict").count()) === 0; count++) {
+    if (count > MOST_FRAMES) throw new Error("the run does not end");
     await page.clock.runFor(RUN_FRAME);
+    await take(RUN_LOOK);
   }
   await page.clock.resume();
+  await painted(page);
+  await take(RESULT);
 }
 
 /** Adds what the page shows, for a while, ms. */
@@ -85,7 +84,7 @@ function encode() {
   for (const [index, { pixels, delay }] of frames.entries()) {
     const picture = applyPalette(pixels, palette);
     const changes = picture.map((colour, at) => (colour === last[at] ? palette.length : colour));
-    gif.writeFrame(index === 0 ? picture : changes, width, height, {
+    gif.writeFrame(index === 0 ? picture : changes, WIDTH, HEIGHT, {
       palette: index === 0 ? [...palette, [0, 0, 0]] : undefined,
       delay,
       dispose: 1,

@@ -25,6 +25,11 @@ export async function openPuzzle(session, link = `#task=${EASY}`, options = {}) 
   return page;
 }
 
+/** Loads the page's wasm, whose functions can be called then. */
+export async function loadSimulator() {
+  initSync({ module: await readFile(join(ROOT, "www/pkg/page/pathlight_bg.wasm")) });
+}
+
 /** @typedef {import("../../www/pkg/page/pathlight.js").Ball} Ball */
 
 /**
@@ -32,7 +37,7 @@ export async function openPuzzle(session, link = `#task=${EASY}`, options = {}) 
  * @returns {Promise<{ solving: Ball, missing: Ball[], invalid: Ball }>}
  */
 export async function known(task = EASY) {
-  initSync({ module: await readFile(join(ROOT, "www/pkg/page/pathlight_bg.wasm")) });
+  await loadSimulator();
   const puzzle = new OpenPuzzle(task);
   /** @type {{ solving?: Ball, missing: Ball[], invalid?: Ball }} */
   const found = { missing: [] };
