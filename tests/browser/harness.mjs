@@ -124,7 +124,11 @@ class Session {
   }
 }
 
-async function startServer(serve) {
+/**
+ * Starts a server only, with arguments of `pathlight serve`.
+ * @param {string[]} serve
+ */
+export async function startServer(serve) {
   if (!existsSync(binary)) throw new Error(`${binary} is missing: run make build`);
   const child = spawn(binary, ["serve", "--port", "0", ...serve], { cwd: root, stdio: ["ignore", "pipe", "pipe"] });
   const closed = once(child, "close");

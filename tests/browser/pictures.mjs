@@ -71,7 +71,6 @@ const VIEWS = {
   predict: [
     `#task=${PUZZLE}&panel=predict`,
     async (page) => {
-      await withModel(page);
       await page.locator(".scene canvas").first().focus();
       for (const key of ["Down", "Down", "Left", "Down"]) await page.keyboard.press(`Shift+Arrow${key}`);
       await large(page);

@@ -4,15 +4,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { answered, chooseModel, setModel } from "../../www/core/change/model.ts";
 import { place } from "../../www/core/change/placement.ts";
-import { openPanel, routed, toggleLayer } from "../../www/core/change/route.ts";
+import { START, openPanel, opened, routed, toggleLayer } from "../../www/core/change/route.ts";
 import { advance, again } from "../../www/core/change/run.ts";
 import { STEPS, go, goTo, toggleTour, tourOn } from "../../www/core/change/walkthrough.ts";
 import { attempts } from "../../www/core/derived/duel.ts";
 import { extent, favourite, hints, overlap, shownGuess, shownLayers } from "../../www/core/derived/imagined.ts";
+import { start } from "../../www/core/state.ts";
 import { walkthroughEffect } from "../../www/effects/walkthrough.ts";
 import { linkOf } from "../../www/effects/address.ts";
 import { GRID_SIDE } from "../../www/pkg/constants.ts";
-import { MISSING, SOLVING, dropAt, fresh, playAt, withTurn } from "./player.ts";
+import { MISSING, SOLVING, dropAt, fresh, playAt, puzzle, withTurn } from "./player.ts";
 import type { Candidate, ImaginedBall, Maps } from "../../www/pkg/page/pathlight.js";
 import type { State } from "../../www/core/state.ts";
 
@@ -53,6 +54,19 @@ test("the last step plays the model's first ball as soon as that is known, and s
   const { chance, off, facts } = favourite(advance(answer, 1e6))!;
   assert.deepEqual([chance, off, facts.ending.solved], [0.7, 5, true]);
   assert.equal(attempts(answer).length, 0);
+});
+
+test("a link with a ball and the last step opens both", () => {
+  const link = { ...START, task: "00000:000", panel: "imagine", step: "run", ball: MISSING } as const;
+  const { ball, ...route } = link;
+  for (const state of [
+    start(route, puzzle(), fresh.kept, fresh.device, fresh.text, ball),
+    routed(fresh, link),
+    opened(fresh, link, puzzle()),
+  ]) {
+    assert.deepEqual(linkOf(state), link);
+    assert.deepEqual(withTurn(state, SOLVING).run!.balls, [{ ball: SOLVING, of_model: true }]);
+  }
 });
 
 test("whoever goes back to a ball of their own leaves the last step, and nothing of it plays on", () => {

@@ -3,7 +3,7 @@
 
 import { NO_ANSWERS, MODEL_OFF } from "./change/model.ts";
 import { introOf } from "./change/home.ts";
-import { NO_BALL, place } from "./change/placement.ts";
+import { NO_BALL, placeLinked } from "./change/placement.ts";
 import { LESSON, SHARE } from "./change/sheet.ts";
 import { NO_SKETCH } from "./change/sketch.ts";
 import type { Check } from "./change/check.ts";
@@ -88,5 +88,5 @@ export function start(
     notice: null,
     text,
   };
-  return ball ? place(first, ball, null) : first;
+  return placeLinked(first, ball);
 }

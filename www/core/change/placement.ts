@@ -47,6 +47,11 @@ export function place(state: State, [x, y, r]: Ball, gesture: string | null): St
   return placing(state, { ball, past, future: [], gesture });
 }
 
+/** Places the ball that a link names, if any; the route stays as the link has it. */
+export function placeLinked(state: State, ball: Ball | null): State {
+  return ball ? { ...place(state, ball, null), route: state.route } : state;
+}
+
 export function nudge(state: State, dx: number, dy: number, dr: number, gesture: string): State {
   const { ball } = state.placement;
   return place(state, ball ? [ball[0] + dx, ball[1] + dy, ball[2] + dr] : FIRST_BALL, gesture);

@@ -4,7 +4,7 @@ import { NO_ANSWERS } from "./model.ts";
 import { introOf } from "./home.ts";
 import { NO_SKETCH } from "./sketch.ts";
 import { arrived } from "./walkthrough.ts";
-import { NO_BALL, place } from "./placement.ts";
+import { NO_BALL, placeLinked } from "./placement.ts";
 import { shownLayers } from "../derived/imagined.ts";
 import type { Ball, MapName } from "../../pkg/page/pathlight.js";
 import type { Step } from "./walkthrough.ts";
@@ -58,8 +58,7 @@ export const START: Link = {
 
 /** Goes elsewhere within the open puzzle. A ball that the link does not name stays where it is. */
 export function routed(state: State, { ball, ...route }: Link): State {
-  const there = arrived({ ...state, route, notice: null, sheet: null });
-  return ball ? place(there, ball, null) : there;
+  return arrived(placeLinked({ ...state, route, notice: null, sheet: null }, ball));
 }
 
 /** Goes to another puzzle, which has been opened. */
@@ -67,7 +66,7 @@ export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): 
   const first = { placement: NO_BALL, run: null, answers: NO_ANSWERS, check: null, sketch: NO_SKETCH, make: null };
   const there = { ...state, route, puzzle, ...first };
   const home = { intro: introOf(route, puzzle), sheet: null, notice: null };
-  return { ...(ball ? place(there, ball, null) : there), ...home };
+  return { ...placeLinked(there, ball), ...home };
 }
 
 export function openPanel(state: State, panel: Panel): State {
