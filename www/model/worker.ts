@@ -157,11 +157,13 @@ async function fetched(url: string): Promise<Response> {
 
 /** Fills the bytes from an answer, and yields the fraction that has arrived. */
 async function* filled(bytes: Uint8Array, { body }: Response): AsyncGenerator<number> {
+  // Safari's streams cannot be iterated.
+  const reader = body!.getReader();
   let arrived = 0;
-  for await (const chunk of body!) {
-    if (arrived + chunk.length > bytes.length) throw new Error("too long");
-    bytes.set(chunk, arrived);
-    arrived += chunk.length;
+  for (let chunk = await reader.read(); !chunk.done; chunk = await reader.read()) {
+    if (arrived + chunk.value.length > bytes.length) throw new Error("too long");
+    bytes.set(chunk.value, arrived);
+    arrived += chunk.value.length;
     yield arrived / bytes.length;
   }
 }
