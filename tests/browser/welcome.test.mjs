@@ -1,12 +1,9 @@
-// The page of www as a newcomer meets it: home, sharing, lessons, and without a network.
+// The page of www as a newcomer meets it: home, sharing and lessons.
 
 import assert from "node:assert/strict";
-import { mkdtemp, readFile, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothingInLightAndDark } from "./axe.mjs";
-import { startOn } from "./harness.mjs";
 import {
   EASY,
   button,
@@ -20,8 +17,6 @@ import {
   spot,
   startPlayer,
 } from "./player.mjs";
-import { serveStatic } from "./static-server.mjs";
-import { buildDist } from "../../scripts/build-dist.mjs";
 
 /** The puzzle in the picture, which has been recorded. */
 const FIRST_TASK = JSON.parse(await readFile(new URL("../../assets/home.json", import.meta.url), "utf8")).scene.task;
@@ -217,45 +212,4 @@ test("home and sheets have nothing that axe objects to, in light and dark", asyn
   await button(page, "Share").click();
   await page.getByRole("dialog").getByRole("img").waitFor();
   await axeFindsNothingInLightAndDark(page, "Share");
-});
-
-test("once it was open, page and exhibits work without a network, and the next version is offered", async () => {
-  const out = await mkdtemp(join(tmpdir(), "pathlight-dist-"));
-  await buildDist({ out, quality: 0 });
-  const server = await serveStatic(out, "/a/");
-  const offline = await startOn(server);
-  try {
-    const page = await offline.open("/", STILL);
-    await page.evaluate(() => navigator.serviceWorker.ready);
-    await page.reload();
-    await page.evaluate(() => navigator.serviceWorker.controller !== null);
-    await page.context().setOffline(true);
-    await page.goto(`${offline.origin}/#task=${EASY}`);
-    await page.reload();
-    await modelIsThere(page);
-    await button(page, "Drop it").waitFor();
-    await page.goto(`${offline.origin}/results.html`);
-    await page.locator(".tasks a").first().waitFor();
-    await page.goto(`${offline.origin}/learns.html`);
-    await button(page, "Let it play 20").click();
-    await page.locator("figcaption", { hasText: "Ball 1" }).first().waitFor();
-    await page.goto(`${offline.origin}/#task=${EASY}`);
-    await button(page, "Drop it").waitFor();
-    await page.context().setOffline(false);
-    await buildDist({
-      out,
-      quality: 0,
-      change: (files) => files.set("style.css", Buffer.from(`${files.get("style.css")}\n`)),
-    });
-    await page.reload();
-    await page.getByText("There is a new version of Pathlight").waitFor();
-    const before = await page.locator("link[rel=stylesheet]").getAttribute("href");
-    await Promise.all([page.waitForNavigation(), button(page, "Load it").click()]);
-    await button(page, "Drop it").waitFor();
-    assert.notEqual(await page.locator("link[rel=stylesheet]").getAttribute("href"), before);
-  } finally {
-    offline.problems.splice(0);
-    await offline.stop();
-    await rm(out, { recursive: true });
-  }
 });

@@ -1,6 +1,6 @@
 // The language and the looks of the page: its texts are loaded when they are needed.
 
-import { setText } from "../core/change/settings.ts";
+import { setNotice, setText } from "../core/change/settings.ts";
 import { isHome } from "../core/derived/home.ts";
 import { language, theme } from "../core/derived/looks.ts";
 import { loadText } from "../text/text.ts";
@@ -10,8 +10,10 @@ import type { Effect } from "../core/store.ts";
 export const languageEffect: Effect<State> = {
   needs: (state) => [language(state)],
   async run(store, signal) {
-    const text = await loadText(language(store.state));
-    if (!signal.aborted) store.change(setText, text);
+    const text = await loadText(language(store.state)).catch(() => null);
+    if (signal.aborted) return;
+    if (text) store.change(setText, text);
+    else store.change(setNotice, { kind: "no_text" });
   },
 };
 

@@ -25,7 +25,7 @@ export type Notice =
   | { readonly kind: "no_task"; readonly task: string }
   | { readonly kind: "unread_link"; readonly parts: readonly string[] }
   | ({ readonly kind: "bad_scene" | "bad_file" } & BadScene)
-  | { readonly kind: "storage_full" | "no_picture" }
+  | { readonly kind: "storage_full" | "no_picture" | "no_text" }
   /** A file of attempts is read, of which this share is done. */
   | { readonly kind: "opening"; readonly share: number }
   /** `added`: new here; `unread`: lines that are no attempts. */

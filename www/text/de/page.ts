@@ -57,6 +57,8 @@ export const page: Text["page"] = {
         return `Diese Datei wurde nicht geöffnet: ${notice.problem ? make.problem(notice.problem) : "Darin ist kein Rätsel von Pathlight."}`;
       case "storage_full":
         return "In diesem Browser ist kein Platz mehr: Was du jetzt spielst, ist vergessen, wenn du gehst.";
+      case "no_text":
+        return "Diese Sprache konnte nicht geladen werden. Lad die Seite neu.";
       case "no_picture":
         return "Dieser Browser konnte das Bild nicht machen.";
       case "opening":

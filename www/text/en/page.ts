@@ -57,6 +57,8 @@ export const page = {
         return `This file was not opened: ${notice.problem ? make.problem(notice.problem) : "it holds no puzzles of Pathlight."}`;
       case "storage_full":
         return "This browser has no room left: what you play now is forgotten when you leave.";
+      case "no_text":
+        return "This language could not be loaded. Load the page again.";
       case "no_picture":
         return "This browser could not make the picture.";
       case "opening":
