@@ -16,6 +16,7 @@ import { LoadError } from "./model/loading.ts";
 import { Stage } from "./stage/stage.ts";
 import { toolOf } from "./stage/tools.ts";
 import { loadText } from "./text/text.ts";
+import { keepingFocus } from "./view/focus.ts";
 import { description } from "./view/news.ts";
 import { page } from "./view/page.ts";
 import models from "../assets/model.json";
@@ -91,6 +92,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const stage = new Stage(schedule);
   const app = { store, canvas: stage.canvas, loupe: stage.loupe, embedded: given.embedded };
   const root = given.root as HTMLElement;
+  const rendering = keepingFocus(given.keys, stage.canvas);
   let frame = 0;
   /** When the frame before was, while something plays. */
   let before: number | null = null;
@@ -128,7 +130,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     before = isPlaying ? now : null;
     // Without a step of time nothing has changed that would ask for the next frame.
     if (moves(store.state)) schedule();
-    render(page(app), root);
+    rendering(store.state.sheet, () => render(page(app), root));
     const described = description(store.state);
     if (stage.canvas.ariaLabel !== described) stage.canvas.ariaLabel = described;
     stage.canvas.classList.toggle("taken", toolOf(store.state).holds(store.state));

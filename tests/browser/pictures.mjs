@@ -71,13 +71,13 @@ const VIEWS = {
   predict: [
     `#task=${PUZZLE}&panel=predict`,
     async (page) => {
-      await page.locator(".scene canvas").first().focus();
-      for (const key of ["Down", "Down", "Left", "Down"]) await page.keyboard.press(`Shift+Arrow${key}`);
+      const scene = page.getByRole("application");
+      for (const key of ["Down", "Down", "Left", "Down"]) await scene.press(`Shift+Arrow${key}`);
       await large(page);
       await verdict(page);
     },
   ],
-  make: [`#task=${PUZZLE}&panel=make`, (page) => page.locator(".scene canvas").first().press("n")],
+  make: [`#task=${PUZZLE}&panel=make`, (page) => page.getByRole("application").press("n")],
   data: [
     ball(missing[0]),
     async (page) => {
@@ -95,6 +95,10 @@ const VIEWS = {
   ],
   lesson: [ball(missing[0]), sheet(0)],
   about: ["", sheet(1)],
+  "presentation-imagine": [
+    `#task=${PUZZLE}&panel=imagine&step=target&view=presentation`,
+    (page) => page.locator(".meaning").waitFor(),
+  ],
   presentation: [`${ball(solving)}&view=presentation`, (page) => large(page).then(() => verdict(page))],
   element: ["article", (page) => page.locator("pathlight-puzzle canvas").first().waitFor()],
   learns: [

@@ -184,6 +184,15 @@ test("a lesson of two puzzles without the model leads from one to the other alon
   await heading(lesson, "Funnel").waitFor();
 });
 
+test("the presentation of what the model imagines leads through its steps", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&panel=imagine&step=base&view=presentation`, STILL);
+  await heading(page, "If you do nothing").waitFor();
+  await button(page, "Next step").click();
+  await heading(page, "What green must do").waitFor();
+  await button(page, "Leave the presentation").click();
+  await page.getByRole("tab", { name: "Imagine", selected: true }).waitFor();
+});
+
 test("the presentation shows scene and sentence, can be played, and is left by Escape", async () => {
   const page = await openPuzzle(session, `#task=${EASY}&view=presentation`, STILL);
   await page.getByText("Two balls fall side by side").waitFor();

@@ -23,6 +23,14 @@ const OLD: [hash: string, now: Partial<Link>][] = [
   ["task=00007:008&view=predict", { task: "00007:008", panel: "predict" }],
   ["task=00007:008&panel=imagine&stage=real", { task: "00007:008", panel: "imagine", step: "run" }],
   ["task=00007:008&view=stage", { task: "00007:008", view: "presentation" }],
+  [
+    "task=00007:008&view=presentation&step=base",
+    { task: "00007:008", view: "presentation", panel: "imagine", step: "base" },
+  ],
+  [
+    "task=00007:008&hide=puzzles,imagine,compare,predict,map,make",
+    { task: "00007:008", hide: ["puzzles", "model", "imagine", "predict", "make"] },
+  ],
   ["task=00007:008&challenge=3", { task: "00007:008", challenge: 3 }],
   ["task=00007:008&forecast=off", { task: "00007:008", hide: ["guess"] }],
   ["task=00007:008&forecast=on", { task: "00007:008" }],

@@ -57,6 +57,8 @@ export function upToDate(parts: Iterable<Part>): Part[] {
       found.set(name, before ? `${before},${value}` : value);
     }
   }
+  // The presentation was the walkthrough in large type.
+  if (found.get("view") === "presentation" && found.has("step") && !found.has("panel")) found.set("panel", "imagine");
   return [...found];
 }
 

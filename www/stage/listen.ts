@@ -69,16 +69,8 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
   on(around, "keydown", (event: KeyboardEvent) => {
     const action = keyAction(event);
     if (!action || store.state.sheet || event.defaultPrevented || isTyped(event, action)) return;
-    const [target] = event.composedPath();
-    const isInPanel = target instanceof Element && target.closest("[role=tabpanel]") !== null;
     if (act(action, event.repeat)) event.preventDefault();
-    // What had the focus goes with its panel.
-    if (action.kind === "panel" && isInPanel) requestAnimationFrame(focusTab);
   });
-
-  function focusTab(): void {
-    around.querySelector<HTMLElement>("[role=tab][aria-selected=true]")?.focus();
-  }
 
   function act(action: KeyAction, isRepeated: boolean): boolean {
     switch (action.kind) {

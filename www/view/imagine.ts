@@ -18,15 +18,21 @@ import type { App, View } from "./view.ts";
 
 export function imagine(app: App): View {
   const { state } = app.store;
-  const { text, route, answers } = state;
+  const { maps } = state.answers;
+  return html`${walkthrough(app)} ${maps ? tiles(app, maps) : nothing} ${how(state)} ${badge(app)}`;
+}
+
+/** The way through the steps, and what the present one shows. */
+export function walkthrough(app: App): View {
+  const { state } = app.store;
+  const { text, route } = state;
   const [name, meaning] = route.step ? text.imagine.steps[route.step] : [];
   return html`${steps(app)}
     <div class="meaning">
       <h2>${name ?? text.imagine.walkthrough}</h2>
       <p>${meaning ?? text.imagine.intro}</p>
       <p class="quiet">${found(state)}</p>
-    </div>
-    ${answers.maps ? tiles(app, answers.maps) : nothing} ${how(state)} ${badge(app)}`;
+    </div>`;
 }
 
 /** The step, for a screen reader. */

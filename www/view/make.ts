@@ -105,7 +105,7 @@ function tools({ store }: App): View {
   </div>`;
 }
 
-function selected({ store, canvas }: App): View {
+function selected({ store }: App): View {
   const { state } = store;
   const { text } = state;
   const { scene, selected } = making(state);
@@ -124,14 +124,8 @@ function selected({ store, canvas }: App): View {
       </select>
     </label>
     <button ?disabled=${!mayAdd(state)} @click=${() => store.change(duplicate, fits)}>${text.make.duplicate}</button>
-    <button ?disabled=${!mayRemove(state)} @click=${removed}>${text.make.remove}</button>
+    <button ?disabled=${!mayRemove(state)} @click=${() => store.change(remove)}>${text.make.remove}</button>
   </div>`;
-
-  /** The button goes with the body. */
-  function removed(): void {
-    store.change(remove);
-    canvas.focus();
-  }
 }
 
 function details({ store }: App): View {

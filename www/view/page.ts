@@ -10,6 +10,7 @@ import { goal } from "../core/derived/placing.ts";
 import { benchmark, rateOf } from "../simulator.ts";
 import { controls } from "./controls.ts";
 import { header } from "./header.ts";
+import { walkthrough } from "./imagine.ts";
 import { problem } from "./make.ts";
 import { gallery, headline, picks } from "./home.ts";
 import { panels } from "./panels.ts";
@@ -29,7 +30,7 @@ export function page(app: App): View {
       <section class="scene" aria-label=${text.page.scene}>${app.canvas}${app.loupe}${problem(app)}</section>
       <section class="controls">${controls(app)}</section>
       <section class="news">${news(app)}</section>
-      <section class="side">${introShown(state) ? picks(app) : isPresented ? leave(app) : panels(app)}</section>
+      <section class="side">${introShown(state) ? picks(app) : isPresented ? presented(app) : panels(app)}</section>
     </main>
     ${home ? gallery(app) : nothing}
     <p class="unseen" role="status">${announcement(state)}</p>
@@ -51,8 +52,10 @@ function task({ store }: App): View {
     </p>`;
 }
 
-function leave({ store }: App): View {
-  return html`<button @click=${() => store.change(present, null)}>${store.state.text.page.leave}</button>`;
+function presented(app: App): View {
+  const { store } = app;
+  return html`${shownPanel(store.state) === "imagine" ? walkthrough(app) : nothing}
+    <button @click=${() => store.change(present, null)}>${store.state.text.page.leave}</button>`;
 }
 
 function notice({ store }: App): View {

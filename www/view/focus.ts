@@ -1,0 +1,43 @@
+// The focus does not fall to the page when what has it goes: it goes back to what opened a sheet, to the tab of a panel
+// that is left, or to the scene.
+
+import type { Sheet } from "../core/change/sheet.ts";
+
+/** Renders the document by `draw`. */
+export type Rendering = (sheet: Sheet | null, draw: () => void) => void;
+
+/** `root` holds all that is rendered. */
+export function keepingFocus(root: Document | ShadowRoot, scene: HTMLElement): Rendering {
+  let shown: Sheet | null = null;
+  let opener: Element | null = null;
+  return (sheet, draw) => {
+    const focused = root.activeElement;
+    const panel = nameOf(focused?.closest(PANEL));
+    if (sheet && !shown) opener = focused;
+    draw();
+    if (shown && !sheet && !hasFocus()) focus(placeOf(opener));
+    else if (focused && !focused.isConnected)
+      focus(panel && panel !== nameOf(root.querySelector(PANEL)) ? root.querySelector(TAB) : scene);
+    shown = sheet;
+  };
+
+  function hasFocus(): boolean {
+    return root.activeElement !== null && root.activeElement !== document.body;
+  }
+
+  function focus(element: Element | null | undefined): void {
+    ((element as HTMLElement | null) ?? scene).focus({ preventScroll: true });
+  }
+}
+
+const PANEL = "[role=tabpanel]";
+const TAB = "[role=tab][aria-selected=true]";
+
+function nameOf(panel: Element | null | undefined): string | null | undefined {
+  return panel?.getAttribute("aria-label");
+}
+
+/** An item of the menu is hidden again; its menu is there. */
+function placeOf(element: Element | null): Element | null | undefined {
+  return element?.checkVisibility() ? element : element?.closest("details")?.querySelector("summary");
+}
