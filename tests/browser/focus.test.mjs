@@ -34,6 +34,11 @@ test("a notice that is closed, and a button that goes with what it did, leave it
   await page.goto(`${session.origin}/#task=${EASY}&view=presentation`);
   await button(page, "Leave the presentation").press("Enter");
   await hasFocus(scene(page));
+  await page.getByRole("tab", { name: "Predict" }).click();
+  await scene(page).press("Shift+ArrowDown");
+  await button(page, "Wipe the line").press("Enter");
+  await hasFocus(scene(page));
+  await page.getByRole("tab", { name: "Play" }).click();
   const { missing } = await known();
   await place(page, missing[0]);
   await drop(page);

@@ -42,7 +42,7 @@ const sheet = (number) => async (page) => {
 };
 const maps = (page) => page.locator(".maps button").first().waitFor();
 
-/** @type {Record<string, [link: string, act?: (page: import("playwright-core").Page) => Promise<unknown>]>} */
+/** @type {Record<string, [link: string, act: (page: import("playwright-core").Page) => Promise<unknown>]>} */
 const VIEWS = {
   home: ["", (page) => page.locator("ul.kinds canvas.painted").nth(2).waitFor()],
   placing: [ball(missing[0]), withModel],
@@ -60,7 +60,7 @@ const VIEWS = {
   missed: [ball(missing[0]), dropped],
   solved: [ball(solving), dropped],
   "model-first": [ball(lost, EASY), dropped],
-  challenge: [`${ball(missing[1])}&challenge=2`],
+  challenge: [`${ball(missing[1])}&challenge=2`, (page) => page.getByRole("application").waitFor()],
   imagine: [`#task=${PUZZLE}&panel=imagine&layers=target,placement`, maps],
   ...Object.fromEntries(
     ["base", "target", "action", "placement", "imagined", "run"].map((step) => [
@@ -131,8 +131,7 @@ async function takeView(name, { viewport, colorScheme, locale }) {
   await page.route(/article/, (route) => route.fulfill({ contentType: "text/html", body }));
   const [link, act] = VIEWS[name];
   await page.goto(`${session.origin}/${link}`);
-  await page.locator("canvas").first().waitFor();
-  await act?.(page);
+  await act(page);
   const size = `${viewport.width}x${viewport.height}`;
   await take(page, join(OUT, `${name}-${size}-${colorScheme}-${locale.slice(0, 2)}.png`));
   await page.context().close();

@@ -25,7 +25,11 @@ test("on a small phone scene, large button and verdict are seen together, in eit
     const page = await openPuzzle(session, `#task=${EASY}&ball=${balls.missing[0]}`, { ...SMALL, locale });
     await modelIsThere(page);
     await button(page, /^(Drop it|Fallen lassen)$/).click();
-    const parts = [scene(page), page.locator("p:visible", { hasText: lost }), button(page, /^(Try again|Neuer Versuch)$/)];
+    const parts = [
+      scene(page),
+      page.locator("p:visible", { hasText: lost }),
+      button(page, /^(Try again|Neuer Versuch)$/),
+    ];
     for (const part of parts) {
       await part.first().waitFor();
       const { y, height } = await part.first().boundingBox();

@@ -1,5 +1,5 @@
-// The focus does not fall to the page when what has it goes: it goes back to what opened a sheet, to the tab of a panel
-// that is left, or to the scene.
+// The focus does not fall to the page when what has it goes or is disabled: it goes back to what opened a sheet, to the
+// tab of a panel that is left, or to the scene.
 
 import type { Sheet } from "../core/change/sheet.ts";
 
@@ -16,7 +16,7 @@ export function keepingFocus(root: Document | ShadowRoot, scene: HTMLElement): R
     if (sheet && !shown) opener = focused;
     draw();
     if (shown && !sheet && !hasFocus()) focus(placeOf(opener));
-    else if (focused && !focused.isConnected)
+    else if (focused && (!focused.isConnected || focused.matches(":disabled")))
       focus(panel && panel !== nameOf(root.querySelector(PANEL)) ? root.querySelector(TAB) : scene);
     shown = sheet;
   };
@@ -38,6 +38,7 @@ function nameOf(panel: Element | null | undefined): string | null | undefined {
 }
 
 /** An item of the menu is hidden again; its menu is there. */
-function placeOf(element: Element | null): Element | null | undefined {
-  return element?.checkVisibility() ? element : element?.closest("details")?.querySelector("summary");
+function placeOf(opener: Element | null): Element | null | undefined {
+  const places = [opener, opener?.closest("details")?.querySelector("summary")];
+  return places.find((place) => place?.checkVisibility() && !place.matches(":disabled"));
 }
