@@ -44,6 +44,8 @@ const title = (page, name) => page.getByRole("heading", { name, exact: true }).w
 
 test("a body that is dragged stays where it is dropped; the puzzle is played, and its link opens it again", async () => {
   const page = await openMake();
+  // The loupe is for a finger.
+  await page.locator("canvas").nth(1).waitFor({ state: "hidden" });
   await dragTo(page, [green.x, green.y], [200, 100]);
   await says(page, /Selected: the green ball at x 200, y 100/);
   await title(page, "Two Drops, changed");

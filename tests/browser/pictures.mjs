@@ -95,10 +95,7 @@ const VIEWS = {
   ],
   lesson: [ball(missing[0]), sheet(0)],
   about: ["", sheet(1)],
-  "presentation-imagine": [
-    `#task=${PUZZLE}&panel=imagine&step=target&view=presentation`,
-    (page) => page.locator(".meaning").waitFor(),
-  ],
+  "presentation-imagine": [`#task=${PUZZLE}&panel=imagine&step=run&view=presentation`, verdict],
   presentation: [`${ball(solving)}&view=presentation`, (page) => large(page).then(() => verdict(page))],
   element: ["article", (page) => page.locator("pathlight-puzzle canvas").first().waitFor()],
   learns: [

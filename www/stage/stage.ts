@@ -53,9 +53,8 @@ export class Stage {
     const seen = [puzzle, run, placement, answers, route, check, make, sketch, text, intro, state.kept, state.device];
     if (seen.every((part, index) => part === this.#painted[index])) return;
     this.#painted = seen;
-    if (isMade(state)) return this.#paintMaking(state);
-    const view = viewOf(state, KNOB / this.scale);
-    paint(this.#context, puzzle, run?.balls ?? [], view, pictures(state));
+    if (isMade(state)) this.#paintMaking(state);
+    else paint(this.#context, puzzle, run?.balls ?? [], viewOf(state, KNOB / this.scale), pictures(state));
     magnify(this.loupe, this.canvas, heldPoint(state));
   }
 
