@@ -160,3 +160,24 @@ test("a hostile link or file is refused in a sentence, and one plays on", async 
   await place(page, balls.missing[0]);
   await drop(page);
 });
+
+test("what is typed into a field is no shortcut, no key acts behind a sheet, and a key that is held acts once", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}`, STILL);
+  await page.getByRole("tab", { name: "Make" }).click();
+  const name = page.getByRole("textbox", { name: "Name" });
+  await name.pressSequentially("r2] 3");
+  assert.match(await name.inputValue(), /r2\] 3$/);
+  await page.getByRole("tab", { name: "Make", selected: true }).waitFor();
+  await page.getByRole("tab", { name: "Play" }).click();
+  await button(page, "Share").click();
+  await page.getByRole("dialog").waitFor();
+  for (const key of ["2", "]", "r", "Control+z"]) await page.keyboard.press(key);
+  await page.keyboard.press("Escape");
+  await page.getByRole("dialog").waitFor({ state: "detached" });
+  await page.getByRole("tab", { name: "Play", selected: true }).waitFor();
+  await place(page, balls.missing[0]);
+  await page.getByRole("application").focus();
+  for (let repeats = 0; repeats < 3; repeats++) await page.keyboard.down("Enter");
+  await page.keyboard.up("Enter");
+  await button(page, "Try again").waitFor();
+});
