@@ -39,6 +39,14 @@ test("on a small phone scene, large button and verdict are seen together, in eit
   }
 });
 
+test("in a low window what plays a run again stays under the scene", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}`, { ...STILL, viewport: { width: 900, height: 560 } });
+  await place(page, balls.missing[0]);
+  await drop(page);
+  const right = async (part) => part.boundingBox().then(({ x, width }) => x + width);
+  assert.ok((await right(page.getByRole("combobox", { name: "Speed" }))) <= (await right(scene(page))) + 1);
+});
+
 test("axe finds nothing while one places, after a miss, in the menu, with the check, and in the presentation", async () => {
   for (const options of [STILL, SMALL]) {
     const page = await openPuzzle(session, `#task=${EASY}`, options);
