@@ -147,6 +147,8 @@ test("a hostile link or file is refused in a sentence, and one plays on", async 
     await button(page, "Close").click();
   }
   await page.getByRole("tab", { name: "Data" }).click();
+  // Until then the field is that of Make.
+  await page.getByText(/^0 attempts, kept/).waitFor();
   const lines = [
     deep(30_000),
     `{"scene":${deep(30_000)},"ball":[1,2,3]}`,
