@@ -21,6 +21,8 @@ const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const OUT = join(ROOT, "dist");
 const VERSIONED = /\.(js|css|wasm|json|jsonl)$/;
 const WEIGHTS = /^assets\/.*\.safetensors$/;
+/** For pages of others, who take it from the npm package. */
+const ELEMENT = /^(element\.js|chunks\/element\/.*)$/;
 const SERVICE_WORKER = "service-worker.js";
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
@@ -33,7 +35,8 @@ const PLACEHOLDER = "VERSION";
 export async function buildDist({ out = OUT, quality, change } = {}) {
   if (existsSync(out) && !existsSync(join(out, SERVICE_WORKER)) && (await readdir(out)).length > 0)
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
-  const files = new Map([...(await pageFiles()), ...(await offlineFiles())]);
+  const page = [...(await pageFiles())].filter(([path]) => !ELEMENT.test(path));
+  const files = new Map([...page, ...(await offlineFiles())]);
   change?.(files);
   const dist = await versioned(files);
   await replaceFolder(out, dist, quality);
