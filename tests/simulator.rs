@@ -13,7 +13,7 @@ use pathlight::puzzle::sampling::uniform_ball;
 use pathlight::puzzle::scene::{Body, Role, Scene, Shape, ShapeType};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
-use pathlight::simulator::{self, Outcome, outcome, simulate};
+use pathlight::simulator::{self, ContactEvent, Outcome, contacts, outcome, simulate};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -91,6 +91,50 @@ fn the_action_ball_comes_last() {
     let rollout = simulate(&scene, Some(Ball { x: 120.0, y: 100.0, r: 8.0 })).expect("a valid ball");
     assert_eq!(rollout.bodies, [0, 1, 2]);
     assert_eq!(rollout.row(0)[2], [120.0, 100.0, 0.0]);
+}
+
+#[test]
+fn contacts_begin_when_bodies_meet_and_end_when_they_part() {
+    let scene = two_balls([50.0, 200.0], [200.0, 200.0]);
+    let ball = Ball { x: 50.0, y: 240.0, r: 8.0 };
+    let rollout = simulate(&scene, Some(ball)).expect("a valid ball");
+    let contacts = contacts(&scene, Some(ball)).expect("a valid ball");
+    // The scene's two balls, the action ball, then the walls, of which the floor is the first.
+    let [green, blue, red, floor] = [0, 1, 2, 3];
+    assert!(contacts.is_sorted_by_key(|contact| contact.begin));
+    let of = |bodies| contacts.iter().filter(move |contact| contact.bodies == bodies).collect::<Vec<_>>();
+    // The blue ball bounces, then rests to the end.
+    let [first, .., last] = of([blue, floor])[..] else { panic!("it bounces: {contacts:?}") };
+    let lowest = (1..).find(|&step| rollout.row(step)[blue][1] < 10.1).expect("it falls");
+    assert_eq!((first.begin - 1, last.end), (lowest, MAX_STEPS + 1));
+    assert!(of([blue, floor]).is_sorted_by(|one, next| one.end < next.begin), "{contacts:?}");
+    // The red ball falls on the green one, which lies on the floor by then.
+    let hit = of([green, red])[0];
+    let [x, y] = [0, 1].map(|axis| rollout.row(hit.begin)[red][axis] - rollout.row(hit.begin)[green][axis]);
+    assert!(x.hypot(y) < 18.1 && hit.begin > lowest, "{hit:?}: {x} {y}");
+    assert_eq!(of([green, blue]), [] as [&ContactEvent; 0]);
+}
+
+/// Two balls apart: there the goal is another.
+#[test]
+fn contacts_of_the_goal_are_its_touches() {
+    let mut rng = Pcg64Mcg::seed_from_u64(5);
+    let mut touches = 0;
+    for task in TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(11)) {
+        let Scene { body1, body2, bodies } = &task.scene;
+        if [body1, body2].iter().all(|&&body| bodies[body].ball_radius().is_some()) {
+            continue;
+        }
+        let ball = uniform_ball(&Obstacles::new(&task.scene), &mut rng);
+        let rollout = simulate(&task.scene, ball).expect("a valid ball");
+        let contacts = contacts(&task.scene, ball).expect("a valid ball");
+        let goal = [*body1.min(body2), *body1.max(body2)];
+        let of_goal: Vec<_> = contacts.iter().filter(|contact| contact.bodies == goal).collect();
+        let touching = |step| of_goal.iter().any(|contact| (contact.begin..contact.end).contains(&step));
+        assert!((0..=rollout.steps).all(|step| rollout.touching[step] == touching(step)), "{}, {ball:?}", task.id);
+        touches += of_goal.len();
+    }
+    assert!(touches > 40, "only {touches} contacts");
 }
 
 /// A line of outcomes.jsonl.

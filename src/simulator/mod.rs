@@ -14,6 +14,7 @@ use crate::puzzle::scene::Scene;
 use box2d::World;
 
 pub use closest_approach::{ClosestApproach, closest_approach};
+pub use contacts::ContactEvent;
 pub use engine::{Engine, UnknownEngine};
 pub use first_contact::{Contact, first_contact};
 pub use simulation::{Digest, Outcome, Simulation};
@@ -21,6 +22,7 @@ pub use simulation::{Digest, Outcome, Simulation};
 mod box2d;
 mod closest_approach;
 pub mod constants;
+mod contacts;
 pub mod distance;
 mod engine;
 mod first_contact;
@@ -74,4 +76,15 @@ pub fn sampled_paths(scene: &Scene, ball: Ball) -> Result<(Outcome, SampledPaths
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn digest(scene: &Scene, ball: Option<Ball>) -> Result<(Outcome, Digest), Invalid> {
     Ok(Simulation::<World>::of(scene, ball)?.digest())
+}
+
+/// Simulates like `simulate`, and returns which bodies touched when, by the steps in which they began to.
+///
+/// They touch in a step if the engine has a touching contact of them: where they are before it, or at a time of impact
+/// within. `Rollout::touching` is the same for object and goal, unless both are balls, which may be 0.1 px apart there.
+///
+/// # Errors
+/// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
+pub fn contacts(scene: &Scene, ball: Option<Ball>) -> Result<Vec<ContactEvent>, Invalid> {
+    Ok(Simulation::<World>::of(scene, ball)?.contacts())
 }

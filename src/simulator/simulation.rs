@@ -6,6 +6,7 @@ use rapier2d::math::Vector;
 
 use super::box2d::World;
 use super::constants::BALL_TOUCH_DISTANCE;
+use super::contacts::{ContactEvent, ContactLog};
 use super::units::{metres, point_in_px};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
@@ -87,6 +88,21 @@ impl Simulation {
     /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
     pub fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation, Invalid> {
         Simulation::of(scene, ball)
+    }
+
+    /// Runs to the end, and returns which bodies touched when.
+    pub(super) fn contacts(self) -> Vec<ContactEvent> {
+        let mut log = ContactLog::default();
+        let mut step = 0;
+        let Outcome { steps, .. } = self.run_with(|simulation, _| {
+            let (count, walls) = (simulation.body_count, walls().len());
+            // The walls are the first in the world, and the last here.
+            let place = |body| (body + count - walls) % count;
+            let pairs = simulation.world.touching_pairs().map(|pair| pair.map(place));
+            log.add_step(step, &pairs.map(|[a, b]| [a.min(b), a.max(b)]).collect());
+            step += 1;
+        });
+        log.into_events(steps + 1)
     }
 }
 

@@ -64,6 +64,12 @@ impl EngineWorld for World {
 }
 
 impl World {
+    /// Returns the bodies of each touching contact; a pair is there as often as fixtures of it touch.
+    pub(crate) fn touching_pairs(&self) -> impl Iterator<Item = [usize; 2]> {
+        let contacts = self.contact_manager.order.iter().map(|&id| &self.contact_manager[id]);
+        contacts.filter(|contact| contact.touching).map(|contact| contact.bodies)
+    }
+
     /// Returns the pairs of bodies, by their indices, ascending, and how deep the shapes of each contact between them
     /// overlap before the first step, m.
     pub(crate) fn depths(&mut self) -> Vec<([usize; 2], f32)> {
