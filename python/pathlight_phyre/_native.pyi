@@ -5,6 +5,9 @@ import numpy as np
 SIMULATOR_VERSION: int
 DEFAULT_STRIDE: int
 MAX_ATTEMPTS: int
+MAX_STEPS: int
+GOAL_STEPS: int
+FEATURES: int
 
 def task_ids() -> List[str]: ...
 def fold(cross: bool, seed: int) -> Tuple[List[str], List[str], List[str]]: ...
@@ -17,6 +20,7 @@ class Wanted(TypedDict):
     features: bool
     velocities: bool
     masks: bool
+    contacts: bool
 
 class Observed:
     status: int
@@ -25,6 +29,7 @@ class Observed:
     features: Optional[np.ndarray]
     velocities: Optional[np.ndarray]
     masks: Optional[np.ndarray]
+    contacts: Optional[np.ndarray]
     touching: Optional[np.ndarray]
 
 class Scene:

@@ -119,6 +119,7 @@ class ActionSimulator:
         stable: bool = False,
         need_velocities: bool = False,
         need_masks: bool = False,
+        need_contacts: bool = False,
     ) -> "simulation.Simulation":
         """Simulates an action in a task.
 
@@ -129,7 +130,7 @@ class ActionSimulator:
             stride: Steps between observations; the first follows step 1. A second has 60 steps.
             stable: Also simulates a solution from the eight places half a px beside it: the status is STABLY_SOLVED
                 unless one of them is valid and fails, then UNSTABLY_SOLVED.
-            need_velocities, need_masks: What phyre does not return.
+            need_velocities, need_masks, need_contacts: What phyre does not return. Contacts take a second simulation.
 
         Raises:
             ValueError: If the action is not three numbers.
@@ -144,6 +145,7 @@ class ActionSimulator:
                 "features": need_featurized_objects,
                 "velocities": need_velocities,
                 "masks": need_masks,
+                "contacts": need_contacts,
             },
         )
         return simulation.Simulation(
@@ -152,6 +154,7 @@ class ActionSimulator:
             featurized_objects=observed.features,
             velocities=observed.velocities,
             masks=observed.masks,
+            contacts=observed.contacts,
             steps=observed.steps,
             touching=observed.touching,
         )

@@ -89,6 +89,9 @@ class Simulation:
     phyre has none of these:
         velocities: float32, (times, objects, 3): of the centre of mass, px/s, and angular, rad/s, in the last step.
         masks: uint8, (times, objects, 256, 256): 1 where the object is, even if another hides it.
+        contacts: int64, (contacts, 4): two bodies, the first step in which they touch, and the first one after it in
+            which they do not, which is one more than the steps of the simulation if they touch to its end. Bodies are
+            the objects by their indices, then the walls: bottom, left, top, right. In the order of their beginnings.
         steps: int64, (times,): the step that each observation follows, from 1.
         touching: bool, (times,): whether the object touches its goal.
     """
@@ -101,6 +104,7 @@ class Simulation:
         featurized_objects: Optional[np.ndarray] = None,
         velocities: Optional[np.ndarray] = None,
         masks: Optional[np.ndarray] = None,
+        contacts: Optional[np.ndarray] = None,
         steps: Optional[np.ndarray] = None,
         touching: Optional[np.ndarray] = None,
     ):
@@ -109,5 +113,6 @@ class Simulation:
         self.featurized_objects = None if featurized_objects is None else FeaturizedObjects(featurized_objects)
         self.velocities = velocities
         self.masks = masks
+        self.contacts = contacts
         self.steps = steps
         self.touching = touching

@@ -32,6 +32,12 @@ mod _native {
     const DEFAULT_STRIDE: usize = pathlight::benchmark::observation::DEFAULT_STRIDE;
     #[pymodule_export]
     const MAX_ATTEMPTS: usize = pathlight::benchmark::auccess::MAX_ATTEMPTS;
+    #[pymodule_export]
+    const MAX_STEPS: usize = pathlight::puzzle::rollout::MAX_STEPS;
+    #[pymodule_export]
+    const GOAL_STEPS: usize = pathlight::puzzle::rollout::GOAL_STEPS;
+    #[pymodule_export]
+    const FEATURES: usize = super::FEATURES;
 }
 
 /// Returns a `ValueError` of an error of the library.

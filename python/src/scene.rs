@@ -9,10 +9,10 @@ use pathlight::benchmark::observation::features::{FEATURES, ObjectFeatures};
 use pathlight::benchmark::observation::{move_to_step, objects, observed_steps};
 use pathlight::puzzle::action::{Action, Ball, Obstacles};
 use pathlight::puzzle::rollout::{Rollout, STEPS_PER_SECOND};
-use pathlight::puzzle::scene::Body;
+use pathlight::puzzle::scene::{self, Body};
 use pathlight::puzzle::task::Task;
 use pathlight::search::stability::is_stable;
-use pathlight::simulator::{outcome, simulate};
+use pathlight::simulator::{ContactEvent, contacts, outcome, simulate};
 use pyo3::prelude::*;
 
 use crate::{parallel, value_error};
@@ -39,6 +39,7 @@ struct Wanted {
     features: bool,
     velocities: bool,
     masks: bool,
+    contacts: bool,
 }
 
 /// What came of a simulation. Arrays that were not wanted are None, as are all if the action is invalid.
@@ -57,6 +58,8 @@ pub struct Observed {
     velocities: Option<Py<PyArray3<f32>>>,
     /// uint8, (times, objects, 256, 256)
     masks: Option<Py<PyArray4<u8>>>,
+    /// Two bodies, the step in which they begin to touch, and that in which they no longer do; int64, (contacts, 4).
+    contacts: Option<Py<PyArray2<i64>>>,
     /// Whether the object touches the goal; bool, (times,).
     touching: Option<Py<PyArray1<bool>>>,
 }
@@ -117,8 +120,8 @@ impl Scene {
         let Ok(ball) = action.map(|action| self.obstacles.place(action.into())).transpose() else {
             return Ok(Observed::default());
         };
-        let Wanted { images, features, velocities, masks } = wanted;
-        if !(images || features || velocities || masks) {
+        let Wanted { images, features, velocities, masks, contacts } = wanted;
+        if !(images || features || velocities || masks || contacts) {
             let status = py.detach(|| self.status_of(ball, stable));
             return Ok(Observed { status, ..Observed::default() });
         }
@@ -188,6 +191,7 @@ struct Observations {
     features: Option<Array3<f32>>,
     velocities: Option<Array3<f32>>,
     masks: Option<Array4<u8>>,
+    contacts: Option<Array2<i64>>,
 }
 
 impl Observations {
@@ -240,11 +244,12 @@ impl Observations {
             features: features.map(|numbers| shaped(numbers, FEATURES)),
             velocities: velocities.map(|numbers| shaped(numbers, 3)),
             masks,
+            contacts: wanted.contacts.then(|| contacts_of(&task.scene, ball)),
         }
     }
 
     fn into_python(self, py: Python<'_>) -> Observed {
-        let Observations { status, steps, touching, images, features, velocities, masks } = self;
+        let Observations { status, steps, touching, images, features, velocities, masks, contacts } = self;
         Observed {
             status,
             steps: Some(steps.into_pyarray(py).unbind()),
@@ -252,9 +257,17 @@ impl Observations {
             features: features.map(|array| array.into_pyarray(py).unbind()),
             velocities: velocities.map(|array| array.into_pyarray(py).unbind()),
             masks: masks.map(|array| array.into_pyarray(py).unbind()),
+            contacts: contacts.map(|array| array.into_pyarray(py).unbind()),
             touching: Some(touching.into_pyarray(py).unbind()),
         }
     }
+}
+
+/// The events as rows: see `Observed::contacts`.
+fn contacts_of(scene: &scene::Scene, ball: Option<Ball>) -> Array2<i64> {
+    let events = contacts(scene, ball).expect("the scene was simulated before");
+    let row = |event: &ContactEvent| [event.bodies[0], event.bodies[1], event.begin, event.end].map(|n| n as i64);
+    Array2::from(events.iter().map(row).collect::<Vec<_>>())
 }
 
 /// The velocity of the centre, px/s, and the angular velocity, rad/s, with which a body moved in the step between two

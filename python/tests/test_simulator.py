@@ -7,6 +7,7 @@ import pytest
 
 import pathlight_phyre as phyre
 from pathlight_phyre import SimulationStatus as Status
+from pathlight_phyre.loader import WALLS, load_compiled_task_list
 from pathlight_phyre.metrics import get_task_ids_in_tier
 
 TASKS = get_task_ids_in_tier("ball")[::480]
@@ -108,6 +109,23 @@ def test_a_ball_falls_as_gravity_says(simulator):
     simulated = simulator.simulate_action(0, SOLUTION, need_velocities=True, stride=1)
     assert simulated.velocities[0, -1] == pytest.approx([0, -58.8 / 60, 0], abs=1e-2)
     assert simulated.velocities[9, -1] == pytest.approx([0, -58.8 / 6, 0], abs=1e-2)
+
+
+def test_contacts_are_events_of_two_bodies(simulator):
+    simulated = simulator.simulate_action(0, SOLUTION, need_images=False, need_featurized_objects=True, stride=1)
+    assert simulated.contacts is None
+    contacts = simulator.simulate_action(0, SOLUTION, need_images=False, need_contacts=True).contacts
+    assert (contacts.dtype, contacts.shape[1]) == (np.int64, 4)
+    objects, steps = simulated.featurized_objects.num_objects, len(simulated.steps)
+    assert (contacts[:, 0] < contacts[:, 1]).all() and contacts[:, 0].min() >= 0 and contacts[:, 1].max() < objects + 4
+    assert (np.diff(contacts[:, 2]) >= 0).all() and (contacts[:, 2] < contacts[:, 3]).all()
+    task = load_compiled_task_list(["00007:008"])[0]
+    goal = sorted([task.bodyId1 - WALLS, task.bodyId2 - WALLS])
+    touching = np.zeros(steps + 2, bool)
+    for *pair, begin, end in contacts.tolist():
+        if pair == goal:
+            touching[begin:end] = True
+    assert touching[1:-1].tolist() == simulated.touching.tolist() and touching[-2]
 
 
 def test_a_scene_without_an_action_has_its_own_objects(simulator):
