@@ -68,7 +68,7 @@ build: $(PACKAGE)
 	cargo build --release --package pathlight
 	cargo build --release --package pathlight-lab
 
-python:
+python: $(PACKAGE)
 	@scripts/build-wheel
 
 package: $(PACKAGE)
@@ -93,4 +93,4 @@ $(PACKAGE): $(PACKAGED) $(BUILT_AS)
 clean:
 	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc package page pictures python-env \
 		python-tools release stages tests-www tmp tools wasm32-unknown-unknown wasm-compiled wasm-package wheels)
-	rm -rf dist dist.* www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules
+	rm -rf dist dist.* www/pkg python/pathlight_phyre/page scripts/node_modules tests/browser/node_modules tests/package/node_modules

@@ -1,7 +1,9 @@
-// Prints the licences of all that the page and the npm package are made of: node scripts/licences.mjs.
-// scripts/build-wasm keeps them in www/pkg/licences.txt, to which the sheet “About Pathlight” leads.
+// Prints the licences of all that the page and the npm package are made of: node scripts/licences.mjs. With the word
+// wheel also those of the Python wheel, whose widget is the page's element. scripts/build-wasm keeps the first in
+// www/pkg/licences.txt, to which the sheet “About Pathlight” leads; scripts/build-widget.mjs keeps the others.
 //
-// The crates are those that cargo links into the wasm. Texts that several have in common are printed once.
+// The crates are those that cargo links into the wasm, and into the wheel on any platform. Texts that several have in
+// common are printed once.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
@@ -17,15 +19,19 @@ const NPM = ["lean-qr", "lit-html"];
 /** @param {string[]} words */
 const cargo = (words) => execFileSync("cargo", words, { cwd: ROOT, encoding: "utf8", maxBuffer: 1e9 });
 
-/** @returns {Part[]} */
-function crates() {
+/**
+ * @param {string} manifest
+ * @param {string} target "all" for every platform
+ * @returns {Part[]}
+ */
+function crates(manifest, target) {
   const tree = cargo([
     "tree",
     "--locked",
-    "--package",
-    "pathlight",
+    "--manifest-path",
+    manifest,
     "--target",
-    "wasm32-unknown-unknown",
+    target,
     "--edges",
     "normal,no-proc-macro",
     "--prefix",
@@ -35,8 +41,9 @@ function crates() {
   ]);
   // “name vVERSION”, with a mark where it is named again
   const linked = new Set(tree.split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
+  const platform = target === "all" ? [] : ["--filter-platform", target];
   const { packages } = JSON.parse(
-    cargo(["metadata", "--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"]),
+    cargo(["metadata", "--locked", "--manifest-path", manifest, "--format-version", "1", ...platform]),
   );
   const used = packages.filter(({ name, version, source }) => source && linked.has(`${name} v${version}`));
   return used.map(({ name, version, license, manifest_path }) => ({
@@ -73,7 +80,11 @@ function textsIn(folder, licence) {
   );
 }
 
-const parts = [...crates(), ...npmPackages()].sort((one, other) => (one.name < other.name ? -1 : 1));
+const wheel = process.argv[2] === "wheel" ? crates("python/Cargo.toml", "all") : [];
+const all = [...crates("Cargo.toml", "wasm32-unknown-unknown"), ...wheel, ...npmPackages()];
+const parts = [...new Map(all.map((part) => [`${part.name} ${part.version}`, part])).values()].sort((one, other) =>
+  one.name < other.name ? -1 : 1,
+);
 /** @type {Map<string, string[]>} */
 const texts = new Map(
   ["NOTICE", "LICENSE"].map((file) => [readFileSync(join(ROOT, file), "utf8").trim(), ["Pathlight"]]),

@@ -51,8 +51,11 @@ export interface Files extends ModelFiles {
   readonly simulator: string;
 }
 
-export function filesAt(base: string): Files {
-  const at = (path: string) => new URL(path, base).href;
+/** The folder of the files, or a function that returns the address of each. */
+export type Base = string | ((path: string) => string);
+
+export function filesAt(base: Base): Files {
+  const at = typeof base === "function" ? base : (path: string) => new URL(path, base).href;
   return {
     simulator: at("pkg/page/pathlight_bg.wasm"),
     wasm: at("pkg/worker/pathlight_bg.wasm"),

@@ -18,7 +18,7 @@ import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
 import { languageOf } from "./text/language.ts";
 import css from "./style.css";
-import type { Files } from "./app.ts";
+import type { Base, Files } from "./app.ts";
 import type { Theme } from "./core/change/kept.ts";
 import type { Language } from "./text/language.ts";
 import type { Link } from "./core/change/route.ts";
@@ -79,10 +79,11 @@ export class PathlightPuzzle extends HTMLElement {
   static observedAttributes: readonly string[] = PROPERTIES;
 
   /**
-   * The address of the folder that holds worker.js, pkg/ and assets/; by default that of this script. Set it before an
-   * element is connected where the script has no address of its own, as in a blob.
+   * The address of the folder that holds worker.js, pkg/ and assets/, or a function that returns the address of each of
+   * these files by its path; by default that of this script. Set it before an element is connected where the script has
+   * no address of its own, as in a blob.
    */
-  static base: string | null = null;
+  static base: Base | null = null;
 
   /** The puzzle, "00007:008"; null for one that is new to person and model. */
   declare task: string | null;

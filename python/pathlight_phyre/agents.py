@@ -59,7 +59,7 @@ class Model:
             ValueError: If the task is unknown.
         """
         balls = self._native.propose(_native.Scene(task_id), seed, count)
-        return Proposals(_actions(balls[:, :3]), balls[:, 3])
+        return Proposals(actions_of_balls(balls[:, :3]), balls[:, 3])
 
     def agent(self, task_id: str, seed: int = 0) -> "Agent":
         """Returns the agent at work on a task. It learns from its attempts.
@@ -101,13 +101,13 @@ class Agent:
     def propose(self) -> Optional[np.ndarray]:
         """Returns the next action, (3,), whose ball is valid; None if there is no more."""
         ball = self._native.propose()
-        return None if ball is None else _actions(np.array(ball))
+        return None if ball is None else actions_of_balls(np.array(ball))
 
     def observe(self, status: SimulationStatus) -> None:
         """Tells the agent what came of the action that it proposed last."""
         self._native.observe(SimulationStatus(status).is_solved())
 
 
-def _actions(balls: np.ndarray) -> np.ndarray:
+def actions_of_balls(balls: np.ndarray) -> np.ndarray:
     """Returns the actions of balls, which are in px."""
     return (balls - [0, 0, SMALLEST]) / [255, 255, LARGEST - SMALLEST]

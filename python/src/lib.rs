@@ -20,7 +20,7 @@ mod scene;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use super::model::{Agent, Model};
+    use super::model::{Agent, Model, weights};
     #[pymodule_export]
     use super::scene::{Observed, Scene};
     #[pymodule_export]

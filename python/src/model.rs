@@ -11,6 +11,7 @@ use pathlight::nets::PathNet;
 use pathlight::raster::SIDE;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::scene::Scene;
 use crate::value_error;
@@ -18,6 +19,16 @@ use crate::value_error;
 /// The weights that the wheel holds.
 const WITHIN: &[u8] = include_bytes!("../../assets/within-0.safetensors");
 const CROSS: &[u8] = include_bytes!("../../assets/cross-0.safetensors");
+
+/// Returns the shipped weights as a file's bytes.
+#[pyfunction]
+pub fn weights(py: Python<'_>, cross: bool) -> Bound<'_, PyBytes> {
+    PyBytes::new(py, shipped(cross))
+}
+
+fn shipped(cross: bool) -> &'static [u8] {
+    if cross { CROSS } else { WITHIN }
+}
 
 /// The nets of a weights file.
 #[pyclass(frozen)]
@@ -29,7 +40,7 @@ impl Model {
     #[new]
     #[pyo3(signature = (cross, weights=None))]
     fn new(py: Python<'_>, cross: bool, weights: Option<&[u8]>) -> PyResult<Model> {
-        let bytes = weights.unwrap_or(if cross { CROSS } else { WITHIN });
+        let bytes = weights.unwrap_or(shipped(cross));
         let (nets, _) = py.detach(|| PathNet::load(bytes)).map_err(value_error)?;
         Ok(Model(nets))
     }
