@@ -1,5 +1,5 @@
-// dist/ works wherever it is put: under any path, on a host that sends no header but the media type, in a frame, without
-// a network, and when another version is uploaded while it is open.
+// dist/ works wherever it is put: under any path, on a host that sends no header but the media type, in a frame,
+// without a network, and when another version is uploaded while it is open.
 
 import assert from "node:assert/strict";
 import { once } from "node:events";

@@ -19,6 +19,7 @@ const LAYERS = [
   "view",
   "app",
   "element",
+  "widget",
   "main",
   "api",
   "exhibits",
