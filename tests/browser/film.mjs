@@ -22,7 +22,7 @@ const SCALE = 0.75;
 const [WIDTH, HEIGHT] = [VIEWPORT.width * SCALE, VIEWPORT.height * SCALE];
 /** How long a step is looked at, and a result, ms. */
 const [LOOK, RESULT] = [1800, 3500];
-/** Time on the page between two frames of a run, and how long each is shown, ms: it is played faster than it happens. */
+/** Time on the page between two frames of a run, and how long each is shown, ms: it plays faster than it happens. */
 const [RUN_FRAME, RUN_LOOK] = [200, 100];
 /** More frames than any run has. */
 const MOST_FRAMES = 300;

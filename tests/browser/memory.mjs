@@ -1,4 +1,5 @@
-// Measures whether the page holds on to memory: opens many puzzles, plays many duels, and puts ten elements into a page.
+// Measures whether the page holds on to memory: opens many puzzles, plays many duels, and puts ten elements into a
+// page.
 //
 //     node tests/browser/memory.mjs [PUZZLES] [DUELS]
 

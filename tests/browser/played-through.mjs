@@ -1,5 +1,5 @@
-// What a person does first, in any browser: plays a puzzle against the model, looks at what it imagines, and comes back.
-// A page is Puppeteer's, or has as much of its interface.
+// What a person does first, in any browser: plays a puzzle against the model, looks at what it imagines, and comes
+// back. A page is Puppeteer's, or has as much of its interface.
 
 import assert from "node:assert/strict";
 import { EASY, known } from "./player.mjs";
