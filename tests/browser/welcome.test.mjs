@@ -189,6 +189,16 @@ test("the presentation of what the model imagines leads through its steps", asyn
   await heading(page, "If you do nothing").waitFor();
   await button(page, "Next step").click();
   await heading(page, "What green must do").waitFor();
+  // By keys and by a clicker, wherever the focus is but in a field.
+  for (const [key, name] of [
+    ["ArrowRight", "What red must do"],
+    ["PageDown", "Where to start"],
+    ["ArrowLeft", "What red must do"],
+    ["PageUp", "What green must do"],
+  ]) {
+    await page.keyboard.press(key);
+    await heading(page, name).waitFor();
+  }
   await button(page, "Leave the presentation").click();
   await page.getByRole("tab", { name: "Imagine", selected: true }).waitFor();
 });

@@ -43,6 +43,11 @@ test("arrows move by one, with Shift by ten; nothing that belongs to the browser
   assert.equal(press("Tab", "Tab"), null);
 });
 
+test("a clicker turns pages", () => {
+  assert.deepEqual(press("PageDown", "PageDown"), { kind: "page", by: 1 });
+  assert.deepEqual(press("PageUp", "PageUp"), { kind: "page", by: -1 });
+});
+
 test("small movements of a trackpad add up, and a notch of a wheel is one step", () => {
   const roll = (...deltas: number[]) =>
     deltas.reduce<[steps: number, rest: number]>(

@@ -2,12 +2,16 @@
 
 export type KeyFacts = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">;
 
-/** `move`, `resize` and `next` are asked for in the scene; the others anywhere. */
+/**
+ * `move`, `resize` and `next` are asked for in the scene; the others anywhere. In the presentation of the walkthrough,
+ * `move` turns its pages outside the scene, and `page` does so anywhere: that is what a clicker sends.
+ */
 export type KeyAction =
   | { readonly kind: "move"; readonly dx: number; readonly dy: number }
   | { readonly kind: "resize"; readonly dr: number }
   | { readonly kind: "next" | "toggle" | "leave" | "again" | "undo" | "redo" | "previousPuzzle" | "nextPuzzle" }
   | { readonly kind: "stepBy"; readonly steps: number }
+  | { readonly kind: "page"; readonly by: 1 | -1 }
   | { readonly kind: "panel"; readonly index: number };
 
 /** What only the scene that is being changed knows. */
@@ -35,6 +39,8 @@ const PLAIN: Record<string, KeyAction> = {
   r: { kind: "again" },
   ",": { kind: "stepBy", steps: -1 },
   ".": { kind: "stepBy", steps: 1 },
+  PageDown: { kind: "page", by: 1 },
+  PageUp: { kind: "page", by: -1 },
   Escape: { kind: "leave" },
   "[": { kind: "previousPuzzle" },
   "]": { kind: "nextPuzzle" },

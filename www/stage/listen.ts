@@ -3,7 +3,8 @@
 import { goBy, takeNextStep } from "../opening.ts";
 import { openPanel, present } from "../core/change/route.ts";
 import { again, stepBy, togglePlaying } from "../core/change/run.ts";
-import { shownPanels } from "../core/derived/hidden.ts";
+import { go } from "../core/change/walkthrough.ts";
+import { shownPanel, shownPanels } from "../core/derived/hidden.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
 import { keyAction } from "./keys.ts";
 import { toolOf } from "./tools.ts";
@@ -83,6 +84,10 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
       case "stepBy":
         store.change(stepBy, action.steps);
         return store.state.run !== null;
+      case "page":
+        return turnPage(action.by);
+      case "move":
+        return action.dx !== 0 && turnPage(Math.sign(action.dx));
       case "toggle":
         if (store.state.run && !isRepeated) store.change(togglePlaying);
         return store.state.run !== null;
@@ -108,6 +113,13 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
     }
   }
 
+  /** In the presentation of the walkthrough; elsewhere the key stays the page's. */
+  function turnPage(by: number): boolean {
+    const turns = store.state.route.view !== null && shownPanel(store.state) === "imagine";
+    if (turns) store.change(go, by);
+    return turns;
+  }
+
   function pointOf({ clientX, clientY }: PointerEvent): Point {
     const box = canvas.getBoundingClientRect();
     return [((clientX - box.left) / box.width) * SCENE_SIZE, ((box.bottom - clientY) / box.height) * SCENE_SIZE];
@@ -123,5 +135,6 @@ function isTyped(event: KeyboardEvent, action: KeyAction): boolean {
   const target = event.composedPath()[0];
   if (!(target instanceof Element)) return false;
   if (target.matches("input:not([type=range], [type=checkbox], [type=radio]), textarea, select")) return true;
+  if (action.kind === "move" && target.matches("input")) return true;
   return action.kind === "toggle" && target.matches("button, input, summary, a");
 }
