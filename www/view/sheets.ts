@@ -56,7 +56,7 @@ function shareSheet({ store }: App): View {
   const alt = shareText(state);
   return html`<p class="message">${shareText(state)}</p>
     <input class="address" readonly aria-label=${text.share.link} .value=${shareAddress(state)} @focus=${selected} />
-    <p class="quiet">${text.share.noBall}</p>
+    ${playerSolvedAt(state) === null ? nothing : html`<p class="quiet">${text.share.noBall}</p>`}
     <p class="row">
       <button class="primary" @click=${() => copy(store, words)}>${text.share.copy}</button>
       ${canShare() ? html`<button @click=${() => share(store)}>${text.share.system}</button>` : nothing}
