@@ -35,7 +35,7 @@ export const home: Text["home"] = {
     `${LEVELS[difficulty].charAt(0).toUpperCase()}${LEVELS[difficulty].slice(1)}: ` +
     (rate > 0.002 ? `1 von ${number(Math.round(1 / rate))} Kugeln löst es.` : "Weniger als 1 von 500 Kugeln löst es."),
 
-  kinds: (count) => `${count} Arten von Rätseln, alle neu für das Modell`,
+  kinds: (count) => `${count} Arten, jede mit einem Rätsel, das für das Modell neu ist`,
   number: "Oder nach Nummer:",
   standing: (next, of, played) =>
     `Rätsel ${next} von ${of} · ${played
@@ -43,7 +43,7 @@ export const home: Text["home"] = {
       .map(({ number, solved }) => `${number} ${solved ? "✓" : "✕"}`)
       .join(" ")}`,
   results: "Wie gut ist das Modell? Alle Ergebnisse",
-  learns: "Schau ihm beim Lernen zu",
+  learns: "Sieh ihm beim Lernen zu",
 
   progress: "Dein Fortschritt",
   soFar: ({ tried, solved, attempts }) =>

@@ -34,7 +34,7 @@ export const home = {
     `${difficulty.charAt(0).toUpperCase()}${LEVELS[difficulty].slice(1)}: ` +
     (rate > 0.002 ? `1 ball in ${number(Math.round(1 / rate))} solves it.` : "fewer than 1 ball in 500 solve it."),
 
-  kinds: (count: number) => `${count} kinds of puzzles, all new to the model`,
+  kinds: (count: number) => `${count} kinds, each with a puzzle that is new to the model`,
   number: "Or by number:",
   /** "Puzzle 3 of 20 · 1 ✓ 2 ✕" */
   standing: (next: number, of: number, played: Standing["played"]) =>
