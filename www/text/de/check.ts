@@ -15,7 +15,7 @@ export const check: Text["check"] = {
       : working === 0
         ? "Mit dieser Größe geht keine Kugel."
         : `Eine Kugel dieser Größe geht an ${working < 0.01 ? "weniger als 1 %" : percent(working)} aller Plätze.`) +
-    " Gelb: geht. Gestreift: kein Platz für die Kugel.",
+    `${working === 0 && progress === 1 ? "" : " Gelb: geht."} Gestreift: kein Platz für die Kugel.`,
   compare: "Mit der Vermutung des Modells vergleichen",
   agrees: (share) => `${percent(share)} seiner Vermutung liegen dort, wo eine Kugel geht.`,
   seek: "Eine Lösung zeigen",

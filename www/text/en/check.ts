@@ -16,7 +16,7 @@ export const check = {
       : working === 0
         ? "No ball of this size works."
         : `A ball of this size works at ${working < 0.01 ? "less than 1%" : percent(working)} of all places.`) +
-    " Yellow: works. Striped: no room for the ball.",
+    `${working === 0 && progress === 1 ? "" : " Yellow: works."} Striped: no room for the ball.`,
   compare: "Compare with the model’s guess",
   agrees: (share: number) => `${percent(share)} of its guess lies where a ball works.`,
   seek: "Show a solution",
