@@ -164,7 +164,7 @@ export const puzzle: Text["puzzle"] = {
   body: theBody,
   scene: (object, target, others) =>
     `256 mal 256, y zeigt nach oben. ${upper(placed(object))}; das Ziel ist ${placed(target)}. ` +
-    (others.length ? `Außerdem: ${others.map((one) => placed(one)).join("; ")}.` : "Sonst nichts."),
+    (others.length ? `Außerdem: ${[...new Set(others.map(placed))].join("; ")}.` : "Sonst nichts."),
   ballAt: (x, y, r) => `Deine Kugel liegt bei x ${x}, y ${y} und hat den Radius ${r}.`,
   fault: (fault, bodies) =>
     fault.kind === "overlaps"

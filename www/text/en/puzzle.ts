@@ -27,7 +27,7 @@ export const puzzle = {
   body,
   scene: (object: Body, target: Body, others: readonly Body[]) =>
     `256 by 256, y is up. The ${placed(object)}; the goal is the ${placed(target)}. ` +
-    (others.length ? `Also: ${others.map(placed).join("; ")}.` : "Nothing else."),
+    (others.length ? `Also: ${[...new Set(others.map(placed))].join("; ")}.` : "Nothing else."),
   ballAt: (x: number, y: number, r: number) => `Your ball is at x ${x}, y ${y}, with radius ${r}.`,
   fault: (fault: InvalidBall, bodies: readonly Body[]) =>
     fault.kind === "overlaps"
