@@ -57,7 +57,13 @@ export function description(state: State): string {
   const { puzzle, placement, text } = state;
   const [object, target] = goal(state);
   const others = puzzle.scene.bodies.filter((body) => body !== object && body !== target);
-  const first = shownPanel(state) === "make" ? text.make.hint : text.play.placeFirst;
+  const panel = shownPanel(state);
+  const first =
+    panel === "make"
+      ? text.make.hint
+      : panel === "predict"
+        ? `${text.predict.draw} ${text.predict.keys}`
+        : `${text.play.placeFirst} ${text.play.keys}`;
   const where = placement.ball ? text.puzzle.ballAt(...placement.ball) : first;
   return [text.puzzle.goal(object, target), text.puzzle.scene(object, target, others), where].join(" ");
 }

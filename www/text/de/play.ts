@@ -35,6 +35,7 @@ export const play: Text["play"] = {
     make: "Weiterbauen",
   },
   placeFirst: "Klick oder tipp in die Szene, um deine rote Kugel zu setzen. Danach fasst niemand mehr etwas an.",
+  keys: "Mit Tasten: Pfeile setzen und bewegen sie, Plus und Minus ändern ihre Größe, Enter lässt sie fallen.",
   ready: "Bereit. Lass sie fallen!",
   choosing: "Das Modell wählt seine Kugel …",
   running: "Jetzt fasst niemand mehr etwas an.",

@@ -33,6 +33,8 @@ export const play = {
     make: "Back to making",
   },
   placeFirst: "Click or tap the scene to place your red ball. Nobody touches anything after that.",
+  /** For a screen reader alone. */
+  keys: "By keys: arrows place and move it, plus and minus change its size, Enter drops it.",
   ready: "Ready. Drop it!",
   choosing: "The model chooses its ball …",
   running: "Now nobody touches anything.",
