@@ -47,6 +47,7 @@ test("verdicts name who needed fewer balls", () => {
   assert.deepEqual(outcomes([SOLVING], SOLVING), ["draw"]);
   assert.deepEqual(outcomes([SOLVING], miss(1), miss(2), SOLVING), ["lost", "behind", "late"]);
   assert.deepEqual(outcomes([miss(1), miss(2), miss(3)], miss(4), SOLVING), ["neither", "won"]);
+  assert.deepEqual(outcomes([miss(1), miss(2), SOLVING], SOLVING, miss(3), miss(4)), ["won", "after", "after"]);
 });
 
 test("the next ball of the model, which has been computed already, is not told", () => {

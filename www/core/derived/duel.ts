@@ -11,9 +11,10 @@ import type { State } from "../state.ts";
 
 /**
  * How a round ended: `won` before the model; `draw` with the same number of balls; `late` after the model; `lost`, the
- * model solved with this ball and the player did not; `behind`, it had before; `neither`; `solved` and `missed` alone.
+ * model solved with this ball and the player did not; `behind`, it had before; `neither`; `solved` and `missed` alone;
+ * `after`, a miss of a player who had solved before.
  */
-export type Outcome = "won" | "draw" | "late" | "lost" | "behind" | "neither" | "solved" | "missed";
+export type Outcome = "won" | "draw" | "late" | "lost" | "behind" | "neither" | "solved" | "missed" | "after";
 
 export interface Verdict {
   readonly outcome: Outcome;
@@ -104,6 +105,8 @@ export function verdict(state: State): Verdict | null {
 }
 
 function outcomeOf(state: State, round: number, solved: boolean, modelAt: number | null): Outcome {
+  const solvedAt = playerSolvedAt(state);
+  if (!solved && solvedAt !== null && solvedAt < round) return "after";
   const isDuel = !isAlone(state) && (modelAt !== null || state.answers.turn.length >= round);
   if (!isDuel) return solved ? "solved" : "missed";
   if (solved) return modelAt === null ? "won" : modelAt === round ? "draw" : "late";

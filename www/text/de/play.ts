@@ -18,6 +18,7 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
   neither: () => "Noch keiner von beiden.",
   solved: (round) => (round === 1 ? "Gelöst mit der ersten Kugel!" : `Gelöst mit Kugel ${round}!`),
   missed: () => "Noch nicht.",
+  after: () => "Verfehlt, aber gelöst hast du es schon.",
 };
 
 export const play: Text["play"] = {

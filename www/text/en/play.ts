@@ -16,6 +16,7 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
   neither: () => "Neither of you, not yet.",
   solved: (round) => (round === 1 ? "Solved with your first ball!" : `Solved with ball ${round}!`),
   missed: () => "Not yet.",
+  after: () => "A miss, but you have solved it already.",
 };
 
 export const play = {
