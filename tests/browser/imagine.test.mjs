@@ -57,7 +57,7 @@ test("the walkthrough leads from what happens alone to what really happens, and 
   await says(page, /^It gave its ball .*%, and it (works|does not work)\. The path it imagined for green was .+ off/);
   await page.waitForURL(/step=run/);
   await button(page, "Your turn").click();
-  assert.equal(await button(page, "All").getAttribute("aria-pressed"), "true");
+  await page.getByRole("button", { name: "All", exact: true, pressed: true }).waitFor();
 });
 
 test("a key that opens another panel does not lose the focus with the panel", async () => {
