@@ -37,6 +37,12 @@ test("arrows lead through the steps and all together, and stop at the ends", () 
   assert.equal(go(go(goTo(imagining, "base"), -1), -1).route.step, null);
 });
 
+test("what ran in Play does not lie over a step", () => {
+  const played = openPanel(playAt(fresh, MISSING), "imagine");
+  assert.ok(played.run);
+  assert.equal(goTo(played, "base").run, null);
+});
+
 test("the panel comes back to the step that was left", () => {
   const away = openPanel(goTo(imagining, "action"), "play");
   assert.deepEqual(shownLayers(away), []);

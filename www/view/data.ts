@@ -6,7 +6,7 @@ import { attemptCount } from "../core/change/kept.ts";
 import { chooseModel } from "../core/change/model.ts";
 import { FIRST_BALL, place } from "../core/change/placement.ts";
 import { openSheet } from "../core/change/sheet.ts";
-import { meanDistance } from "../core/derived/duel.ts";
+import { attempts as attemptsHere, meanDistance } from "../core/derived/duel.ts";
 import { overlap } from "../core/derived/imagined.ts";
 import { guess } from "../core/derived/placing.ts";
 import { ended, rollouts } from "../core/derived/run.ts";
@@ -114,7 +114,7 @@ function attempts({ store }: App): View {
     <div class="buttons">
       <button ?disabled=${count === 0} @click=${() => saveAttempts(state)}>${text.data.save}</button>
       <label class="file"><input type="file" accept=".jsonl" @change=${opened} /><span>${text.data.open}</span></label>
-      <button @click=${() => saveTable(state)}>${text.data.table}</button>
+      <button ?disabled=${attemptsHere(state).length === 0} @click=${() => saveTable(state)}>${text.data.table}</button>
       <button ?disabled=${count === 0} @click=${() => store.change(openSheet, "forget")}>${text.home.forget}</button>
     </div>`;
 

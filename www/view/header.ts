@@ -39,6 +39,12 @@ function title({ text, puzzle }: State): View {
   return html`<div class="picker"><h1>${text.puzzle.name(puzzle.about)}</h1></div>`;
 }
 
+/** How far one has come in a lesson. */
+function place({ text, puzzle, route: { lesson } }: State): View {
+  const index = lesson.indexOf(puzzle.about.id ?? "");
+  return index < 0 ? nothing : html`<span>${text.share.place(index + 1, lesson.length)}</span>`;
+}
+
 function picker({ store }: App): View {
   const { text, puzzle } = store.state;
   const field = html`<input
@@ -55,7 +61,7 @@ function picker({ store }: App): View {
     <button aria-label=${text.page.previous} @click=${() => goBy(store, -1)}>${icon("previous")}</button>
     <div class="title">
       <h1>${text.puzzle.name(puzzle.about)}</h1>
-      ${isHidden(store.state, "puzzles") ? nothing : field}
+      ${isHidden(store.state, "puzzles") ? place(store.state) : field}
     </div>
     <button aria-label=${text.page.next} @click=${() => goBy(store, 1)}>${icon("next")}</button>
   </nav>`;

@@ -19,9 +19,10 @@ export const STEP_LAYERS: Record<Step, readonly MapName[]> = {
   run: [],
 };
 
-/** Goes to a step; null: all together. */
+/** Goes to a step; null: all together. What ran before does not lie over what a step imagines. */
 export function goTo(state: State, step: Step | null): State {
-  return arrived({ ...state, touring: false, route: { ...state.route, step } });
+  const run = step === null ? state.run : null;
+  return arrived({ ...state, run, touring: false, route: { ...state.route, step } });
 }
 
 /** Goes some steps further; before the first are all together. */

@@ -48,7 +48,7 @@ export const play: Text["play"] = {
       ? `Grün hat das Ziel ${seconds(secondsOf(ending.longest_touch))} lang berührt, ${GOAL_SECONDS} wären nötig.`
       : `Grün hat das Ziel um ${balls(nearest.gap, radius)} verfehlt.`,
   guessed: (chance, off, radius) =>
-    `Das Modell gab deiner Kugel ${chance < 0.01 ? "unter 1 %" : percent(chance)}; ` +
+    `Das Modell gab deiner Kugel eine Chance von ${chance < 0.01 ? "unter 1 %" : percent(chance)}; ` +
     `seine Vermutung lag um ${balls(off, radius)} daneben.`,
   luck: (solved, valid) =>
     solved > 0.6 * valid

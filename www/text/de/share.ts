@@ -63,6 +63,7 @@ export const share: Text["share"] = {
         : `Die anderen brauchten ${counted(theirs, "Kugel", "Kugeln")}.`,
 
   puzzles: "Rätsel nach Nummer, eins nach dem anderen",
+  place: (number, of) => `${number} von ${of}`,
   noPuzzles: "Eine dieser Nummern ist kein Rätsel. Sie sehen aus wie 00007:008 oder 7:8.",
   shows: "Was die Klasse sieht",
   presets: { everything: "Alles", play: "Nur Spielen", predict: "Vorhersagen: ohne Vermutung des Modells" },

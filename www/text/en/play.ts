@@ -48,7 +48,7 @@ export const play = {
       ? `Green touched the goal for ${seconds(secondsOf(ending.longest_touch))} of ${GOAL_SECONDS}.`
       : `Green missed the goal by ${balls(nearest.gap, radius)}.`,
   guessed: (chance: number, off: number, radius: number) =>
-    `The model gave your ball ${chance < 0.01 ? "under 1%" : percent(chance)}; its guess was ${balls(off, radius)} off.`,
+    `The model gave your ball a chance of ${chance < 0.01 ? "under 1%" : percent(chance)}; its guess was ${balls(off, radius)} off.`,
   luck: (solved: number, valid: number) =>
     solved > 0.6 * valid
       ? `A plan: ${solved} of the ${valid} balls beside yours solve it too.`

@@ -81,6 +81,8 @@ export const share = {
         : `They needed ${counted(theirs, "ball", "balls")}.`,
 
   puzzles: "Puzzles, by number, one after another",
+  /** In a lesson. */
+  place: (number: number, of: number) => `${number} of ${of}`,
   noPuzzles: "One of these numbers is no puzzle. They look like 00007:008, or 7:8.",
   shows: "What the class sees",
   presets: { everything: "Everything", play: "Play only", predict: "Predict: no guess of the model" } satisfies Record<
