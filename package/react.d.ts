@@ -3,7 +3,12 @@
 // to extend, which TypeScript lets only a declaration file say.
 
 /** The attributes of the element in JSX. */
-export interface PuzzleAttributes extends Partial<Pick<PathlightPuzzle, LinkPart>> {
+export interface PuzzleAttributes extends Partial<
+  Pick<
+    PathlightPuzzle,
+    "task" | "scene" | "panel" | "layers" | "step" | "view" | "challenge" | "lesson" | "hide" | "ball"
+  >
+> {
   theme?: "light" | "dark" | null;
   fill?: boolean;
   remember?: boolean;

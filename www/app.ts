@@ -51,10 +51,8 @@ export interface Files extends ModelFiles {
   readonly simulator: string;
 }
 
-/** The folder of the files, or a function that returns the address of each. */
-export type Base = string | ((path: string) => string);
-
-export function filesAt(base: Base): Files {
+/** `base`: the folder of the files, or a function that returns the address of each. */
+export function filesAt(base: string | ((path: string) => string)): Files {
   const at = typeof base === "function" ? base : (path: string) => new URL(path, base).href;
   return {
     simulator: at("pkg/page/pathlight_bg.wasm"),

@@ -18,7 +18,7 @@ import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
 import { languageOf } from "./text/language.ts";
 import css from "./style.css";
-import type { Base, Files } from "./app.ts";
+import type { Files } from "./app.ts";
 import type { Theme } from "./core/change/kept.ts";
 import type { Language } from "./text/language.ts";
 import type { Link } from "./core/change/route.ts";
@@ -70,9 +70,6 @@ declare global {
   }
 }
 
-/** The attributes that are parts of a link. */
-export type LinkPart = keyof Link;
-
 const PROPERTIES = [...LINK_PARTS, "theme"] as const;
 
 export class PathlightPuzzle extends HTMLElement {
@@ -83,7 +80,7 @@ export class PathlightPuzzle extends HTMLElement {
    * these files by its path; by default that of this script. Set it before an element is connected where the script has
    * no address of its own, as in a blob.
    */
-  static base: Base | null = null;
+  static base: string | ((path: string) => string) | null = null;
 
   /** The puzzle, "00007:008"; null for one that is new to person and model. */
   declare task: string | null;

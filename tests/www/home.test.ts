@@ -84,9 +84,8 @@ test("whoever places a ball, or starts, plays the puzzle in the picture, and its
   assert.equal(tick(started, 5000), started);
 });
 
-test("the first puzzle has been recorded: the model misses it, so whoever has watched can win", () => {
+test("the first puzzle has been recorded", () => {
   assert.equal(recorded.scene.task, FIRST_TASK);
-  assert.equal((recorded.scene as unknown as { solved: boolean }).solved, false);
 });
 
 const tasks = ["00000:000", "00000:001", "00000:002", "00001:000", "00001:001", "00001:002"];
