@@ -128,6 +128,12 @@ def test_contacts_are_events_of_two_bodies(simulator):
     assert touching[1:-1].tolist() == simulated.touching.tolist() and touching[-2]
 
 
+def test_a_status_prints_its_name_and_formats_as_a_number():
+    """As an IntEnum did in the Pythons that phyre knew."""
+    assert str(Status.NOT_SOLVED) == "SimulationStatus.NOT_SOLVED"
+    assert f"{Status.NOT_SOLVED} {Status.SOLVED:02d}" == "-1 01"
+
+
 def test_a_scene_without_an_action_has_its_own_objects(simulator):
     simulated = simulator.simulate_action(0, None, need_featurized_objects=True)
     assert simulated.status.is_not_solved() and simulated.featurized_objects.num_user_inputs == 0
