@@ -22,6 +22,14 @@ class SimulationStatus(enum.IntEnum):
     UNSTABLY_SOLVED = 2
     STABLY_SOLVED = 3
 
+    def __str__(self) -> str:
+        """Returns its name in every Python; from 3.11 on, that of an IntEnum is a number."""
+        return enum.Enum.__str__(self)
+
+    def __format__(self, spec: str) -> str:
+        """Formats its number."""
+        return format(int(self), spec)
+
     def is_solved(self) -> bool:
         """Whether the action solved the task, stably or not."""
         return self > 0

@@ -1,15 +1,24 @@
 """The tasks of the benchmark."""
 
 import json
-from typing import Any, Dict, List, Sequence, Tuple
+from types import SimpleNamespace
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 from pathlight_phyre import _native
+from pathlight_phyre.creator.constants import SCENE_HEIGHT, SCENE_WIDTH
+from pathlight_phyre.simulation import COLORS, SHAPES
 
 TOUCHING = 6
 """PHYRE's number of the relation that every ball task asks for."""
 
 WALLS = 4
-"""Bodies of a task before those of its scene."""
+"""Bodies of a scene that are its walls, before its objects."""
+
+WALL_WIDTH = 5
+"""Width of a wall, px."""
+
+UNDEFINED = "UNDEFINED"
+"""PHYRE's kind of a body that is none of ``SHAPES``: a wall."""
 
 
 class Task:
@@ -18,10 +27,13 @@ class Task:
     Attributes:
         taskId: Its id, such as ``'00007:008'``.
         tier: ``'BALL'``.
-        bodyId1, bodyId2: The object and its goal, counted from the four walls on.
+        bodyId1, bodyId2: The object and its goal, by their indices in the scene's bodies.
         relationships: What the object has to do: ``[6]``, touching.
         goal_text: The goal as a sentence.
-        bodies: The bodies without the walls, as plain data: position (px), angle (radians), role, parts.
+        scene: The scene: width and height (px), and bodies, of which the walls come first: bottom, left, top, right.
+            A body has PHYRE's attributes: position.x and .y (px), angle (radians), bodyType (1 static, 2 dynamic),
+            color (its code), shapeType (0 a wall, from 1 on in the order of ``SHAPES``), and shapes about its position.
+            Of circle (radius, px) and polygon (vertices with x and y, px), a shape has one; the other is None.
     """
 
     def __init__(self, task_id: str):
@@ -37,7 +49,8 @@ class Task:
         self.bodyId2 = data["body2"] + WALLS
         self.relationships = [TOUCHING]
         self.goal_text: str = data["goal"]
-        self.bodies: List[Dict[str, Any]] = data["bodies"]
+        bodies = [*map(_wall, range(WALLS)), *map(_body, data["bodies"])]
+        self.scene = SimpleNamespace(width=SCENE_WIDTH, height=SCENE_HEIGHT, bodies=bodies)
 
     @property
     def goal(self) -> Tuple[int, int, int]:
@@ -63,3 +76,32 @@ def load_compiled_task_list(task_ids: Sequence[str]) -> List[Task]:
 def load_compiled_task_dict() -> Dict[str, Task]:
     """Returns all tasks by their ids."""
     return {task_id: Task(task_id) for task_id in _native.task_ids()}
+
+
+def _wall(side: int) -> SimpleNamespace:
+    outside = WALL_WIDTH / 2
+    x, y = SCENE_WIDTH / 2, SCENE_HEIGHT / 2
+    x, y = [(x, -outside), (-outside, y), (x, SCENE_HEIGHT + outside), (SCENE_WIDTH + outside, y)][side]
+    half_width, half_height = [(SCENE_WIDTH / 2, outside), (outside, SCENE_HEIGHT / 2)][side % 2]
+    corners = [(half_width * i, half_height * j) for i, j in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+    parts = [{"polygon": corners}]
+    return _body(dict(x=x, y=y, angle=0.0, dynamic=False, role="black", shape=UNDEFINED, parts=parts))
+
+
+def _body(body: Dict[str, Any]) -> SimpleNamespace:
+    return SimpleNamespace(
+        position=SimpleNamespace(x=body["x"], y=body["y"]),
+        angle=body["angle"],
+        bodyType=2 if body["dynamic"] else 1,
+        color=1 + COLORS.index(body["role"].upper()),
+        shapeType=(UNDEFINED, *SHAPES).index(body["shape"].upper().replace("_", "")),
+        shapes=[_shape(**part) for part in body["parts"]],
+    )
+
+
+def _shape(circle: Optional[float] = None, polygon: Sequence[Tuple[float, float]] = ()) -> SimpleNamespace:
+    vertices = [SimpleNamespace(x=x, y=y) for x, y in polygon]
+    return SimpleNamespace(
+        circle=None if circle is None else SimpleNamespace(radius=circle),
+        polygon=SimpleNamespace(vertices=vertices) if vertices else None,
+    )

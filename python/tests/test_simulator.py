@@ -128,6 +128,33 @@ def test_contacts_are_events_of_two_bodies(simulator):
     assert touching[1:-1].tolist() == simulated.touching.tolist() and touching[-2]
 
 
+def test_a_status_prints_its_name_and_formats_as_a_number():
+    """As an IntEnum did in the Pythons that phyre knew."""
+    assert str(Status.NOT_SOLVED) == "SimulationStatus.NOT_SOLVED"
+    assert f"{Status.NOT_SOLVED} {Status.SOLVED:02d}" == "-1 01"
+
+
+def test_the_scene_of_a_task_has_the_walls_and_the_objects_of_the_simulation():
+    tasks = load_compiled_task_list(TASKS)
+    initial = phyre.initialize_simulator(TASKS, "ball").initial_featurized_objects
+    for task, objects in zip(tasks, initial):
+        walls, bodies = task.scene.bodies[:WALLS], task.scene.bodies[WALLS:]
+        for wall, (x, y) in zip(walls, [(128, -2.5), (-2.5, 128), (128, 258.5), (258.5, 128)]):
+            assert (wall.position.x, wall.position.y, wall.bodyType, wall.color, wall.shapeType) == (x, y, 1, 6, 0)
+            corner = wall.shapes[0].polygon.vertices[0]
+            assert (corner.x, corner.y) == ((128, 2.5) if x == 128 else (2.5, 128))
+        colors, shapes = objects.colors_one_hot.argmax(1) + 1, objects.shapes_one_hot.argmax(1) + 1
+        assert [(body.color, body.shapeType) for body in bodies] == [*zip(colors, shapes)]
+        for body, diameter, angle in zip(bodies, objects.diameters, objects.angles[0]):
+            assert body.angle == pytest.approx(angle * 2 * np.pi, abs=1e-5)
+            if body.shapeType == 1:
+                assert body.shapes[0].polygon is None
+                assert 2 * body.shapes[0].circle.radius == pytest.approx(diameter * 256, abs=1e-4)
+                assert body.position.x == pytest.approx(objects.xs[0, bodies.index(body)] * 256, abs=1e-4)
+        goal = task.scene.bodies[task.bodyId1]
+        assert goal.color in (2, 3)
+
+
 def test_a_scene_without_an_action_has_its_own_objects(simulator):
     simulated = simulator.simulate_action(0, None, need_featurized_objects=True)
     assert simulated.status.is_not_solved() and simulated.featurized_objects.num_user_inputs == 0
