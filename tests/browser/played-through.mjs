@@ -20,6 +20,11 @@ export async function playThrough(page, origin) {
       before = `${x} ${y}`;
     }
   };
+  /** Opens a panel. Its tab may move while it is clicked, when more is said above it. */
+  const openPanel = async (name) => {
+    do await click(name);
+    while (!(await page.evaluate(isOpenInPage, name)));
+  };
 
   const {
     solving: [x, y, r],
@@ -37,19 +42,24 @@ export async function playThrough(page, origin) {
   );
   await click("Drop it");
   await says(/^(You beat the model|A draw)/);
-  await click("Imagine");
+  await openPanel("Imagine");
   await until(() => document.querySelector('[aria-label="Maps over the scene"] button'));
   await click("6");
   await says(/The path it imagined for green was/);
   await page.reload();
   await says(/The path it imagined for green was/);
-  await click("Play");
+  await openPanel("Play");
   await until(() => document.querySelector("ol button")?.ariaLabel?.includes("You: solved."));
   assert.match(await page.evaluate(() => document.title), /Two Drops/);
 }
 
 function saysInPage(source) {
   return [...document.querySelectorAll("[role=status]")].some((one) => new RegExp(source).test(one.textContent ?? ""));
+}
+
+function isOpenInPage(name) {
+  const tabs = [...document.querySelectorAll("[role=tab]")];
+  return tabs.some((tab) => tab.textContent?.trim() === name && tab.ariaSelected === "true");
 }
 
 /** The middle of the button with these words. */
