@@ -102,8 +102,8 @@ async function keptOr(name, compress) {
   if (kept) return kept;
   const result = await compress();
   await mkdir(KEPT, { recursive: true });
-  // Renamed, so that an interrupted build leaves no half of a result.
-  // Two files may have the same content.
+  // Renamed, so that an interrupted build leaves no half of a result; and two files with the same content may do so at
+  // the same time.
   const part = `${path}.${randomUUID()}`;
   await writeFile(part, result);
   await rename(part, path);

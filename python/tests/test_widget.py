@@ -1,4 +1,4 @@
-"""The Python half of the widget; tests/package/widget.test.mjs plays the other in a browser."""
+"""The Python half of the widget; tests/browser/widget.test.mjs plays the other in a browser."""
 
 import hashlib
 import json

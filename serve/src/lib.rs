@@ -87,8 +87,13 @@ impl Args {
     /// # Errors
     /// If a folder does not exist, or the server cannot listen on the address.
     pub fn run(self) -> anyhow::Result<()> {
-        let page = Folder::open(&self.dir)
-            .with_context(|| format!("cannot serve {}: name the folder of the page with --dir, such as target/page, into which make play builds it", self.dir.display()))?;
+        let page = Folder::open(&self.dir).with_context(|| {
+            format!(
+                "cannot serve {}: name the folder of the page with --dir, such as target/page, into which make play \
+                 builds it",
+                self.dir.display()
+            )
+        })?;
         let assets = self.assets.unwrap_or_else(|| {
             let own = self.dir.join("assets");
             if own.is_dir() { own } else { PathBuf::from("assets") }

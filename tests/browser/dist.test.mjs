@@ -11,13 +11,12 @@ import { after, before, test } from "node:test";
 import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { start, startOn, startServer } from "./harness.mjs";
 import { drawIcons } from "./icons.mjs";
-import { EASY, button, drop, known, modelIsThere, place, says } from "./player.mjs";
+import { EASY, STILL, button, drop, known, modelIsThere, place, says } from "./player.mjs";
 import { serveStatic } from "./static-server.mjs";
 import { buildDist } from "../../scripts/build-dist.mjs";
 
 /** Brotli's quality here: the highest takes half a minute for the weights. */
 const QUALITY = 4;
-const STILL = { reducedMotion: "reduce" };
 
 /** Folders that go at the end. */
 const folders = [];

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { deflateRawSync } from "node:zlib";
 import { after, before, test } from "node:test";
-import { EASY, button, drop, known, modelIsThere, openPuzzle, place, says, startPlayer } from "./player.mjs";
+import { EASY, STILL, button, drop, known, modelIsThere, openPuzzle, place, says, startPlayer } from "./player.mjs";
 import { customScene, templates } from "../../www/pkg/page/pathlight.js";
 
 let session;
@@ -15,7 +15,6 @@ before(async () => {
 });
 after(() => session.stop());
 
-const STILL = { reducedMotion: "reduce" };
 const maps = (page) => page.getByRole("group", { name: "Maps over the scene" }).getByRole("button");
 const labels = (page) => maps(page).evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")));
 const go = (page, hash) => page.evaluate((hash) => void (location.hash = hash), hash);

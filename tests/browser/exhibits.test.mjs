@@ -5,13 +5,12 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothingInLightAndDark } from "./axe.mjs";
 import { load } from "./package.mjs";
-import { button, openPuzzle, startPlayer } from "./player.mjs";
+import { STILL, button, openPuzzle, startPlayer } from "./player.mjs";
 
 let session;
 before(async () => (session = await startPlayer()));
 after(() => session.stop());
 
-const STILL = { reducedMotion: "reduce" };
 const PHONE = { viewport: { width: 390, height: 664 }, hasTouch: true, isMobile: true };
 /** A kind at which it needs few balls, so that a test is fast. */
 const FAST = "Topple to the Wall";

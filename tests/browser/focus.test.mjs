@@ -1,13 +1,12 @@
 // The focus is never lost: what takes it when what has it goes.
 
 import { after, before, test } from "node:test";
-import { EASY, button, drop, known, openPuzzle, place, scene, startPlayer } from "./player.mjs";
+import { EASY, STILL, button, drop, known, openPuzzle, place, scene, startPlayer } from "./player.mjs";
 
 let session;
 before(async () => (session = await startPlayer()));
 after(() => session.stop());
 
-const STILL = { reducedMotion: "reduce" };
 const hasFocus = (locator) => locator.and(locator.page().locator(":focus")).waitFor();
 
 test("a sheet gives it back to what opened it, or to the menu", async () => {

@@ -30,11 +30,10 @@ const flags = [
 
 /**
  * Starts a server of the built page and a browser.
- * @param {{ dir?: string, serve?: string[] }} [options] `dir`: another folder; `serve`: further arguments of
- *   `pathlight serve`
+ * @param {{ dir?: string }} [options] `dir`: another folder
  */
-export async function start({ dir = "target/page", serve = [] } = {}) {
-  return startOn(await startServer(["--dir", dir, ...serve]));
+export async function start({ dir = "target/page" } = {}) {
+  return startOn(await startServer(["--dir", dir]));
 }
 
 /**

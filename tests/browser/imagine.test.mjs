@@ -6,6 +6,7 @@ import { after, before, test } from "node:test";
 import { axeFindsNothingInLightAndDark } from "./axe.mjs";
 import {
   EASY,
+  STILL,
   button,
   drop,
   known,
@@ -26,7 +27,6 @@ before(async () => {
 });
 after(() => session.stop());
 
-const STILL = { reducedMotion: "reduce" };
 const tab = (page, name) => page.getByRole("tab", { name }).click();
 const maps = (page) => page.getByRole("group", { name: "Maps over the scene" }).getByRole("button");
 const pixels = (page) =>

@@ -76,11 +76,15 @@ test("what an earlier version has kept in the browser is taken over once", async
   const attempt = { task: EASY, by: "player", ball: missing[0], status: "not_solved", steps: 90, simulator: 3 };
   const lines = [attempt, { ...attempt, by: "within-0" }].map((line) => JSON.stringify(line)).join("\n");
   await page.addInitScript(
-    ([key, lines]) => {
-      if (sessionStorage.length === 0) localStorage.setItem(key, lines);
+    (entries) => {
+      if (sessionStorage.length === 0) for (const [key, text] of entries) localStorage.setItem(key, text);
       sessionStorage.setItem("begun", "");
     },
-    [`pathlight.attempts.${EASY}`, lines],
+    [
+      [`pathlight.attempts.${EASY}`, lines],
+      ["pathlight.own-puzzles", "damaged"],
+      ["pathlight.guess", "off"],
+    ],
   );
   await page.goto(`${session.origin}/#task=${EASY}`);
   const list = page.getByRole("list", { name: "You against the model" }).getByRole("button");
@@ -89,6 +93,7 @@ test("what an earlier version has kept in the browser is taken over once", async
   await page.reload();
   await list.waitFor();
   assert.equal(await list.count(), 1);
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("pathlight") ?? "").guess), false);
 });
 
 test("without a connection one plays on, and the model comes with it", async () => {

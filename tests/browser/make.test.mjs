@@ -4,7 +4,19 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
-import { EASY, button, described, drop, known, modelIsThere, says, scene, spot, startPlayer } from "./player.mjs";
+import {
+  EASY,
+  STILL,
+  button,
+  described,
+  drop,
+  known,
+  modelIsThere,
+  says,
+  scene,
+  spot,
+  startPlayer,
+} from "./player.mjs";
 import { customScene } from "../../www/pkg/page/pathlight.js";
 
 let session;
@@ -17,8 +29,6 @@ before(async () => {
   [green, blue] = [bodies[body1], bodies[body2]];
 });
 after(() => session.stop());
-
-const STILL = { reducedMotion: "reduce" };
 
 /** Opens a puzzle to change it. */
 async function openMake(link = `#task=${EASY}&panel=make`, options = {}) {

@@ -4,7 +4,7 @@
 import { mkdir } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { start } from "./harness.mjs";
+import { painted, start } from "./harness.mjs";
 import { EASY, known } from "./player.mjs";
 
 const OUT = join(dirname(fileURLToPath(import.meta.url)), "../../target/pictures");
@@ -141,6 +141,6 @@ async function take(page, path) {
     const now = await page.screenshot({ path });
     if (now.equals(before)) return;
     before = now;
-    await page.waitForTimeout(100);
+    await painted(page);
   }
 }

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
   EASY,
+  STILL,
   button,
   described,
   drop,
@@ -25,7 +26,6 @@ before(async () => {
 });
 after(() => session.stop());
 
-const STILL = { reducedMotion: "reduce" };
 const attempts = (page) => page.getByRole("list", { name: "You against the model" }).getByRole("button");
 
 test("a drop plays a duel, of which nothing is told before its end", async () => {

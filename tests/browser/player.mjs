@@ -10,6 +10,8 @@ import { OpenPuzzle, initSync } from "../../www/pkg/page/pathlight.js";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "../..");
 export const EASY = "00000:058";
+/** @type {import("playwright-core").BrowserContextOptions} */
+export const STILL = { reducedMotion: "reduce" };
 
 /** Starts a browser and a server of the built page; `server` is that of static-server.mjs. */
 export async function startPlayer() {

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { axeFindsNothingInLightAndDark } from "./axe.mjs";
-import { EASY, button, drop, known, modelIsThere, openPuzzle, place, scene, startPlayer } from "./player.mjs";
+import { EASY, STILL, button, drop, known, modelIsThere, openPuzzle, place, scene, startPlayer } from "./player.mjs";
 
 let session;
 let balls;
@@ -13,7 +13,6 @@ before(async () => {
 });
 after(() => session.stop());
 
-const STILL = /** @type {const} */ ({ reducedMotion: "reduce" });
 /** With the browser's bars. */
 const SMALL = { ...STILL, viewport: { width: 390, height: 664 }, isMobile: true, hasTouch: true };
 

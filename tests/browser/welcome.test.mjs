@@ -6,6 +6,7 @@ import { after, before, test } from "node:test";
 import { axeFindsNothingInLightAndDark } from "./axe.mjs";
 import {
   EASY,
+  STILL,
   button,
   described,
   drop,
@@ -27,8 +28,6 @@ before(async () => {
 });
 after(() => session.stop());
 
-/** @type {import("playwright-core").BrowserContextOptions} */
-const STILL = { reducedMotion: "reduce" };
 const heading = (page, name) => page.getByRole("heading", { name });
 
 /** @param {import("playwright-core").BrowserContextOptions} options */

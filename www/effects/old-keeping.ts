@@ -1,7 +1,8 @@
 // What people have in their browser from before: attempts as JSON lines, an entry for each task and one for all custom
-// scenes, and a list of custom puzzles. It is taken over once; then the old entries go.
+// scenes, a list of custom puzzles, and whether the model's guess is shown. It is taken over once; then the old entries
+// go, with what can no longer be played: an attempt at a custom scene that had been deleted.
 
-import { keepPuzzles, openAttempts } from "../core/change/kept.ts";
+import { choose, keepPuzzles, openAttempts } from "../core/change/kept.ts";
 import { parsedLines } from "../core/derived/files.ts";
 import { digestOf } from "../simulator.ts";
 import { attemptsOf } from "./files.ts";
@@ -12,14 +13,17 @@ import type { CustomScene } from "../pkg/page/pathlight.js";
 
 const ATTEMPTS = "pathlight.attempts.";
 const PUZZLES = "pathlight.own-puzzles";
+const GUESS = "pathlight.guess";
 
 export async function takeOver(store: Store<State>): Promise<void> {
   try {
-    const keys = Object.keys(localStorage).filter((key) => key.startsWith(ATTEMPTS) || key === PUZZLES);
-    if (keys.length === 0) return;
+    const ofAttempts = Object.keys(localStorage).filter((key) => key.startsWith(ATTEMPTS));
+    const keys = [...ofAttempts, PUZZLES, GUESS];
+    if (keys.every((key) => localStorage.getItem(key) === null)) return;
     const puzzles = oldPuzzles(localStorage.getItem(PUZZLES));
-    const lines = keys.filter((key) => key !== PUZZLES).flatMap((key) => oldLines(localStorage.getItem(key), puzzles));
+    const lines = ofAttempts.flatMap((key) => oldLines(localStorage.getItem(key), puzzles));
     const { attempts } = await attemptsOf(lines);
+    if (localStorage.getItem(GUESS) === "off") store.change(choose, { guess: false });
     store.change(keepPuzzles, puzzles, 0);
     store.change(openAttempts, attempts);
     // By then it has been kept.
@@ -35,9 +39,18 @@ export async function takeOver(store: Store<State>): Promise<void> {
 }
 
 function oldPuzzles(text: string | null): Record<string, CustomScene> {
-  const scenes: CustomScene[] = JSON.parse(text ?? "[]");
-  const entries = scenes.map((scene) => [digestOf(scene), scene] as const);
+  const list = parsed(text);
+  const entries = (Array.isArray(list) ? list : []).map((scene) => [digestOf(scene), scene] as const);
   return Object.fromEntries(entries.filter(([digest]) => digest !== null));
+}
+
+/** What is damaged cannot be taken over, but must not keep back the rest. */
+function parsed(text: string | null): unknown {
+  try {
+    return JSON.parse(text ?? "null");
+  } catch {
+    return null;
+  }
 }
 
 /** The person's own attempts. Those at a custom scene named it by its digest. */

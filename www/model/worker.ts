@@ -160,11 +160,16 @@ async function* filled(bytes: Uint8Array, { body }: Response): AsyncGenerator<nu
   // Safari's streams cannot be iterated.
   const reader = body!.getReader();
   let arrived = 0;
-  for (let chunk = await reader.read(); !chunk.done; chunk = await reader.read()) {
-    if (arrived + chunk.value.length > bytes.length) throw new Error("too long");
-    bytes.set(chunk.value, arrived);
-    arrived += chunk.value.length;
-    yield arrived / bytes.length;
+  try {
+    for (let chunk = await reader.read(); !chunk.done; chunk = await reader.read()) {
+      if (arrived + chunk.value.length > bytes.length) throw new Error("too long");
+      bytes.set(chunk.value, arrived);
+      arrived += chunk.value.length;
+      yield arrived / bytes.length;
+    }
+  } finally {
+    // Where nobody waits any longer, or it is too long, the rest is not downloaded.
+    await reader.cancel().catch(() => {});
   }
 }
 

@@ -11,7 +11,7 @@ import type { State } from "../state.ts";
 /** assets/home.json, as scripts/record-home.mjs writes it: what is shown before any weights are there. */
 export interface Recorded {
   readonly scene: { readonly task: string } & Futures;
-  /** The path that the model imagines for the green object of the first puzzle of each kind: x, y, x, y, … px. */
+  /** The path that the model imagines for the green object of a puzzle, by task: one of each kind. x, y, x, y, … px. */
   readonly paths: Readonly<Record<string, readonly number[]>>;
   /** By model, puzzles that it does not solve in a hundred attempts, the easiest first. */
   readonly unsolved: Readonly<Record<string, readonly string[]>>;
