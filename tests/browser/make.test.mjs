@@ -101,7 +101,7 @@ test("what may not be played says why beside the body, is not played, and is und
   await scene(page).press("Enter");
   assert.equal(await page.getByRole("tab", { name: "Make", selected: true }).count(), 1);
   await page.keyboard.press("Control+z");
-  await page.getByText(/Overlaps/).waitFor({ state: "detached" });
+  await page.locator(".problem").waitFor({ state: "detached" });
   await page.keyboard.press("Control+y");
   await page.getByText(/Not playable yet/).waitFor();
 });
