@@ -10,10 +10,10 @@ import { loadText } from "../../www/text/text.ts";
 
 const read = (file: string) => readFileSync(`www/${file}`, "utf8");
 
-test("what is seen before the code is there has the words of the home page in each language", async () => {
+test("what is seen before the code is there has the words of the page in each language", async () => {
   for (const language of LANGUAGES) {
-    const { home } = await loadText(language);
-    for (const words of [home.title, home.about])
+    const { home, play } = await loadText(language);
+    for (const words of [home.title, home.about, home.waiting, play.noAttempts])
       assert.ok(read("index.html").includes(`lang="${language}">${words}<`), words);
     if (language === "en") continue;
     assert.ok(read("style.css").includes(`:root:lang(${language})`), language);

@@ -9,12 +9,17 @@ export const GOAL_SECONDS = GOAL_STEPS / STEPS_PER_SECOND;
 export const secondsOf = (steps: number) => steps / STEPS_PER_SECOND;
 
 export function formatsOf(language: string) {
-  const number = (value: number, decimals = 0) =>
-    new Intl.NumberFormat(language, { minimumFractionDigits: decimals, maximumFractionDigits: decimals }).format(value);
+  // A format takes longer to make than a frame has.
+  const numbers: Intl.NumberFormat[] = [];
+  let percents: Intl.NumberFormat | null = null;
+  const number = (value: number, decimals = 0) => {
+    const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
+    return (numbers[decimals] ??= new Intl.NumberFormat(language, digits)).format(value);
+  };
   return {
     number,
     /** 0.304 as "30%". */
-    percent: (share: number) => new Intl.NumberFormat(language, { style: "percent" }).format(share),
+    percent: (share: number) => (percents ??= new Intl.NumberFormat(language, { style: "percent" })).format(share),
     /** Without a break before the unit: "1.4 s". */
     seconds: (value: number) => `${number(value, 1)}\u00a0s`,
     counted: (count: number, one: string, more: string) => `${number(count)} ${count === 1 ? one : more}`,

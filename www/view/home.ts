@@ -34,16 +34,19 @@ export function headline({ store }: App): View {
 /** What to begin with, besides the puzzle in the picture. */
 export function picks({ store }: App): View {
   const { state } = store;
-  const { text, device } = state;
-  const daily = taskOfDay(benchmark(), device.day);
-  const unsolved = unsolvedTask(state);
-  const make = PANELS.find((panel) => String(panel) === "make");
-  const facts = (task: string) => text.home.facts(nameOf(state, task), difficulty(rateOf(task)));
-  return html`<ul class="picks">
-    ${pick(state, daily, text.home.day, `${text.home.date(device.day)}: ${facts(daily)}`)}
-    ${unsolved ? pick(state, unsolved, text.home.unsolved, text.home.canYou(facts(unsolved))) : nothing}
-    ${make ? pick(state, EMPTIEST, text.home.make, text.home.makeHint, writeAddress({ ...START, task: EMPTIEST, panel: make })) : nothing}
-  </ul>`;
+  const { text, device, kept, recorded } = state;
+  // None of it depends on what moves in the picture.
+  return html`${guard([text, device, kept.attempts, recorded, isDark(state)], () => {
+    const daily = taskOfDay(benchmark(), device.day);
+    const unsolved = unsolvedTask(state);
+    const make = PANELS.find((panel) => String(panel) === "make");
+    const facts = (task: string) => text.home.facts(nameOf(state, task), difficulty(rateOf(task)));
+    return html`<ul class="picks">
+      ${pick(state, daily, text.home.day, `${text.home.date(device.day)}: ${facts(daily)}`)}
+      ${unsolved ? pick(state, unsolved, text.home.unsolved, text.home.canYou(facts(unsolved))) : nothing}
+      ${make ? pick(state, EMPTIEST, text.home.make, text.home.makeHint, writeAddress({ ...START, task: EMPTIEST, panel: make })) : nothing}
+    </ul>`;
+  })}`;
 }
 
 /** The puzzle with the fewest bodies: whoever makes one begins with it. */
@@ -66,7 +69,6 @@ export function gallery(app: App): View {
   const { store } = app;
   const { state } = store;
   const { text, kept, recorded } = state;
-  // None of it depends on what moves in the picture.
   return html`${guard([text, kept.attempts, kept.puzzles, recorded, isDark(state)], () => {
     kinds ??= kindsOf(benchmark());
     return html`<section class="gallery" aria-label=${text.home.kinds(kinds.length)}>

@@ -99,7 +99,6 @@ function hint(state: State): string {
 function caption(state: State): string {
   const { futures } = state.answers;
   if (!futures) return state.text.home.waiting;
-  const miss = introMiss(state)!;
   switch (introPhase(state)) {
     case "imagine":
       return state.text.home.imagine(futures.futures.length);
@@ -107,8 +106,10 @@ function caption(state: State): string {
       return state.text.home.pick(futures.imagined.probability);
     case "real":
       return state.text.home.real;
-    case "result":
-      return state.text.home.result(miss.solved, miss.off, futures.ball[2]);
+    case "result": {
+      const { solved, off } = introMiss(state)!;
+      return state.text.home.result(solved, off, futures.ball[2]);
+    }
   }
 }
 
