@@ -2,7 +2,6 @@
 # make dev       serves the page on PORT, and loads it again whenever one of its files changes
 # make check     runs the fast checks: formats, lints, types and unit tests, without a browser
 # make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
-# make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
 # make build     builds the wasm package, the player's binary and that of the lab
 # make python    builds the Python wheel into target/wheels
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
@@ -40,7 +39,7 @@ $(shell { read -r profile <$(BUILT_AS); [ "$$profile" = $(PROFILE) ] || \
 BUNDLE := scripts/install-tools js-tools && node scripts/build-page.mjs
 
 .DELETE_ON_ERROR:
-.PHONY: play dev check test test-cluster bench build python package dist timings pictures film clean
+.PHONY: play dev check test bench build python package dist timings pictures film clean
 
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
@@ -54,11 +53,6 @@ dev: $(PACKAGE)
 
 check test:
 	@scripts/$@
-
-test-cluster:
-	scripts/install-tools slurm
-	cargo build --release --package pathlight-lab
-	tests/cluster/run
 
 bench: $(PACKAGE)
 	@BENCH="$(BENCH)" ROUNDS="$(ROUNDS)" benches/run

@@ -31,6 +31,7 @@
 //! | `verification` | attempts that anyone can simulate again |
 //! | `search` | the solutions of a scene, the map of all solutions, luck |
 //! | `web` | the wasm exports; wasm32 only |
+//! | `command_line` | what the programs `pathlight` and `pathlight-lab` share; for these alone |
 //!
 //! `nets`, `agents` and whatever proposes balls by them need the feature `nets`, which is on by default.
 
@@ -40,6 +41,9 @@
 pub mod agents;
 pub mod benchmark;
 pub mod colour;
+#[cfg(not(target_arch = "wasm32"))]
+#[doc(hidden)]
+pub mod command_line;
 #[cfg(feature = "nets")]
 pub mod nets;
 pub mod puzzle;

@@ -1,5 +1,5 @@
-// Runs before the first picture: in which language and colours, whether the address names a puzzle, and whether it is the
-// first that is played. Without it the English home page is seen for a moment. main.js decides.
+// Runs before the first picture: in which language and colours, whether the address names a puzzle, and whether it is
+// the first that is played. Without it the English home page is seen for a moment. main.js decides.
 
 {
   const root = document.documentElement;

@@ -16,8 +16,8 @@ use pathlight::nets::{Imagined, Parameter, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, Coverage, scene_channels, scene_coverage};
 use pathlight_lab::data::collect::read_solutions;
-use pathlight_lab::data::samples::sample;
 use pathlight_lab::data::solutions::Solution;
+use pathlight_lab::training::paths::sample;
 use repeat::{repeat, stopwatch};
 use safetensors::tensor::{Dtype, TensorView};
 

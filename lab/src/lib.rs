@@ -7,10 +7,10 @@
 //! | --- | --- |
 //! | `progress` | what a long piece of work tells whoever started it |
 //! | `files` | journals that can be continued, JSON, weights, writing completely or not at all |
-//! | `data` | what nets learn from: solutions, labelled balls, variants and blends of scenes, samples |
+//! | `data` | what nets learn from: solutions, labelled balls, random scenes |
 //! | `training` | the training runs of all nets, and publishing their weights |
 //! | `measure` | agents, forecasts and chances on test tasks; the simulator beside PHYRE's |
-//! | `reproduce` | the main results: training and measuring all folds of both setups, and the report |
+//! | `reproduce` | the results: the recipe of each row, and the table |
 //! | `figures` | the results as SVG |
 
 pub mod data;

@@ -8,22 +8,16 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use pathlight::command_line::exit;
 
 mod agent;
-mod agent_arg;
 mod custom_scene_file;
-mod engine_arg;
-mod exit;
-mod fold_args;
 mod input;
 mod json_lines;
 mod model_args;
-mod progress;
 mod propose;
-mod replace_file;
 mod simulate;
 mod tasks;
-mod template_arg;
 mod verify;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.

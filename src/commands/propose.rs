@@ -13,10 +13,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::custom_scene_file;
-use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
-use super::progress::Progress;
-use super::replace_file::{check_replaceable, replace_file};
+use pathlight::command_line::fold_args::FoldArgs;
+use pathlight::command_line::progress::Progress;
+use pathlight::command_line::replace_file::{check_replaceable, replace_file};
 
 /// Write the model's proposals as JSON lines, best first, without simulating
 #[derive(clap::Args)]

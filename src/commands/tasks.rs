@@ -14,8 +14,9 @@ use pathlight::puzzle::templates::{TEMPLATES, Template};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::template_arg::template;
-use super::{custom_scene_file, fold_args};
+use super::custom_scene_file;
+use pathlight::command_line::fold_args;
+use pathlight::command_line::template_arg::template;
 
 /// List the templates, the tasks of a template or of a fold, or print scenes as JSON
 #[derive(clap::Args)]

@@ -8,10 +8,10 @@ use anyhow::Context;
 use pathlight::verification::{AttemptLine, LineFault, Verdict};
 use rayon::prelude::*;
 
-use super::exit::is_broken_pipe;
 use super::input;
 use super::json_lines::{Line, Lines, MAX_LINE, Numbered, parse};
-use super::progress::say;
+use pathlight::command_line::exit::is_broken_pipe;
+use pathlight::command_line::progress::say;
 
 /// Simulate the attempts of a file again, and say for each whether it is the same to the bit, differs or is not valid
 ///

@@ -37,13 +37,12 @@ type Row = readonly string[];
 export interface Results {
   readonly models: readonly ModelResults[];
   readonly compared: {
-    readonly ours: readonly { readonly agent: string; readonly auccess: Row }[];
-    /** Null unless all ten folds are measured. */
-    readonly online_with_other_data: readonly (string | null)[];
+    /** By the name of the recipe; "–" unless all ten folds are measured. */
+    readonly ours: readonly (readonly [recipe: string, auccess: Row])[];
     /** `method` is empty if it goes by its authors. */
     readonly published: readonly { method: string; source: string; url: string; auccess: Row }[];
-    /** The paper's nets on each template, within and cross. */
-    readonly paper?: readonly { published: readonly string[]; ours: readonly string[] }[];
+    /** The paper's nets on each template, within and cross: as published, and ours. */
+    readonly paper: readonly (readonly [published: readonly string[], ours: readonly string[]])[];
   };
 }
 

@@ -189,14 +189,8 @@ function calibration({ calibration }: ModelResults): TemplateResult {
 }
 
 /** Means over ten folds. */
-function means({ ours, online_with_other_data: otherData, published, paper }: Results["compared"]): TemplateResult {
-  const rows = AGENTS.flatMap((name) => {
-    const found = ours.find(({ agent }) => agent === name);
-    return found ? [row(words.agents[name], found.auccess)] : [];
-  });
-  const listed = ours.find(({ agent }) => agent === "listed");
-  // Its net of the cross setup is the only one that has learned from none of PHYRE's tasks.
-  const marked = otherData.map((auccess, index) => (auccess === null ? "–" : index === 1 ? `${auccess} †` : auccess));
+function means({ ours, published, paper }: Results["compared"]): TemplateResult {
+  const measured = ours.filter(([, auccess]) => auccess.some((cell) => cell !== "–"));
   return html`<h2 id="means">${words.means}</h2>
     <p>${words.meansAbout}</p>
     <div class="wide" tabindex="0" role="group" aria-labelledby="means">
@@ -212,8 +206,7 @@ function means({ ours, online_with_other_data: otherData, published, paper }: Re
           <tr>
             <th scope="rowgroup" colspan="3">${words.ours}</th>
           </tr>
-          ${otherData.some(Boolean) ? row(words.otherData, marked) : nothing} ${rows}
-          ${listed ? row(words.listed, listed.auccess) : nothing}
+          ${measured.map(([recipe, auccess]) => row(words.recipes[recipe as keyof typeof words.recipes], auccess))}
         </tbody>
         <tbody>
           <tr>
@@ -224,11 +217,11 @@ function means({ ours, online_with_other_data: otherData, published, paper }: Re
       </table>
     </div>
     <p class="quiet">${words.sawMoreMark}</p>
-    ${paper ? byKind(paper) : nothing}`;
+    ${byKind(paper)}`;
 }
 
-function byKind(setups: NonNullable<Results["compared"]["paper"]>): TemplateResult {
-  const kinds = setups[0]!.ours.map((_, index) => String(index).padStart(5, "0"));
+function byKind(setups: Results["compared"]["paper"]): TemplateResult {
+  const kinds = setups[0]![0].map((_, index) => String(index).padStart(5, "0"));
   return html`<details>
     <summary id="by-kind">${words.byKind}</summary>
     <p>${words.byKindAbout}</p>
@@ -252,7 +245,7 @@ function byKind(setups: NonNullable<Results["compared"]["paper"]>): TemplateResu
           ${kinds.map((kind, index) =>
             row(
               text.kind(kind),
-              setups.flatMap(({ published, ours }) => [published[index]!, ours[index]!]),
+              setups.flatMap(([published, ours]) => [published[index]!, ours[index]!]),
             ),
           )}
         </tbody>

@@ -1,29 +1,25 @@
 //! `pathlight-lab data …`
 
 use std::io::{self, Write};
-use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::puzzle::templates::Template;
 use pathlight_lab::data::collect::{self, SOLUTIONS};
+use pathlight_lab::data::difficulty;
 use pathlight_lab::data::label::{self, LABELS, Scenes};
 use pathlight_lab::data::task_selection::TaskSelection;
-use pathlight_lab::data::{difficulty, merge, solve_rates};
 use pathlight_lab::progress::Progress;
 
-use super::at_least_one::count;
-use super::fold_args::{fold, setup};
-use super::scenes_args::MOST_RANDOM_SCENES;
-use super::template_arg::template;
+use super::shared_args::{count, random_scenes};
+use pathlight::command_line::fold_args::{fold, setup};
+use pathlight::command_line::template_arg::template;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
     Collect(Collect),
     Label(Label),
-    Merge(Merge),
     Difficulty(Difficulty),
-    SolveRates(SolveRates),
 }
 
 impl Command {
@@ -31,9 +27,7 @@ impl Command {
         match self {
             Command::Collect(args) => args.run(progress),
             Command::Label(args) => args.run(progress),
-            Command::Merge(args) => args.run(progress),
             Command::Difficulty(args) => args.run(progress),
-            Command::SolveRates(args) => args.run(progress),
         }
     }
 }
@@ -111,31 +105,19 @@ pub struct Label {
     #[arg(long, value_name = "FILE")]
     weights: Option<PathBuf>,
 
-    /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
-    /// solutions of the task alone
-    #[arg(long, conflicts_with = "weights")]
-    variants: bool,
-
-    /// Label balls in N blends of each task instead. A blend lies between the scenes of the task and of another
-    /// labelled task of its template. Each round takes the next blend, and after N rounds the first again. Where no
-    /// blend fits, the task's own scene is used. Without --weights, balls are sampled around the solutions of both
-    /// tasks
-    #[arg(long, value_name = "N", conflicts_with = "variants")]
-    blends: Option<NonZeroU32>,
-
     /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
     /// of the others
     #[arg(
         long,
         value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..=MOST_RANDOM_SCENES),
-        conflicts_with_all = ["variants", "blends", "unlisted", "setup", "template", "limit"]
+        value_parser = random_scenes(),
+        conflicts_with_all = ["unlisted", "setup", "template", "limit"]
     )]
     random_scenes: Option<u32>,
 
     /// Label balls in unlisted tasks instead: up to N of each template, laid out by its script but not in the
     /// benchmark. Balls are sampled around the solutions of the template's tasks
-    #[arg(long, value_name = "N", value_parser = count(), conflicts_with_all = ["variants", "blends", "limit"])]
+    #[arg(long, value_name = "N", value_parser = count(), conflicts_with = "limit")]
     unlisted: Option<usize>,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
@@ -170,35 +152,10 @@ impl Label {
 
     fn scenes(&self) -> Scenes {
         match *self {
-            Label { variants: true, .. } => Scenes::Variants,
-            Label { blends: Some(count), .. } => Scenes::Blends(count),
             Label { unlisted: Some(count), .. } => Scenes::Unlisted(count),
             Label { random_scenes: Some(count), .. } => Scenes::Random(count),
             _ => Scenes::Tasks,
         }
-    }
-}
-
-/// Merge files of `data collect` or of `data label`, one for each template, into the file of all templates
-#[derive(clap::Args)]
-pub struct Merge {
-    /// Files of `data collect --template` or of `data label --template`, all with the same other settings
-    #[arg(required = true)]
-    files: Vec<PathBuf>,
-
-    /// File to write
-    #[arg(long)]
-    out: PathBuf,
-}
-
-impl Merge {
-    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        let name = self.out.display();
-        match merge::merge(&self.files, &self.out)? {
-            true => progress.say(&format!("wrote {name}")),
-            false => progress.say(&format!("{name} exists")),
-        }
-        Ok(())
     }
 }
 
@@ -228,32 +185,5 @@ impl Difficulty {
         let Difficulty { balls, limit, seed } = self;
         let counts = difficulty::Settings { balls, limit, seed }.measure(progress);
         Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&counts)?)?)
-    }
-}
-
-/// Compare how often random actions are valid and solve with PHYRE's figures
-#[derive(clap::Args)]
-pub struct SolveRates {
-    /// Folder with solve_rates.json
-    #[arg(long, value_name = "DIR")]
-    reference: PathBuf,
-
-    /// Random actions inside the scene per task
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
-    actions: u32,
-
-    /// Use only the first N tasks of each template, for a quick look
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = count())]
-    limit: usize,
-
-    /// Seed of the random actions
-    #[arg(long, default_value_t = 0)]
-    seed: u64,
-}
-
-impl SolveRates {
-    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        let SolveRates { reference, actions, limit, seed } = self;
-        solve_rates::Settings { reference, actions, limit, seed }.compare(&mut io::stdout().lock(), progress)
     }
 }

@@ -2,22 +2,17 @@
 
 use std::path::PathBuf;
 
-use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::figures::Settings;
 use pathlight_lab::reproduce::RESULTS;
 
 use super::print_paths;
 
-/// Draw the figures of the results: templates, what is imagined for some tasks, curves, bars and soft IoU by template
+/// Draw the figures of the models on the page: what they imagine for some tasks, and the tasks solved within k attempts
 #[derive(clap::Args)]
 pub struct Args {
-    /// Folder of the results, with the folders shipped/ (models on the page) and paper/ (the paper's nets)
+    /// Folder of the results, with the folder shipped/
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
     results: PathBuf,
-
-    /// Solutions of all tasks, from `data collect`
-    #[arg(long, default_value = SOLUTIONS)]
-    solutions: PathBuf,
 
     /// The folder of the weights of the models on the page
     #[arg(long, value_name = "DIR", default_value = "assets")]
@@ -30,8 +25,8 @@ pub struct Args {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let Args { results, solutions, assets, out } = self;
+        let Args { results, assets, out } = self;
         let out = out.unwrap_or_else(|| results.join("figures"));
-        print_paths(&Settings { results, solutions, assets, out }.draw()?)
+        print_paths(&Settings { results, assets, out }.draw()?)
     }
 }

@@ -1,35 +1,27 @@
 //! `pathlight-lab measure …`
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pathlight::agents::agent_name::AgentName;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::files::json_file;
+use pathlight_lab::measure::measured_scenes::MeasuredScenes;
+use pathlight_lab::measure::report::Order;
 use pathlight_lab::measure::task_set::TaskSet;
-use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts, paper_table};
+use pathlight_lab::measure::{calibration, evaluate, fidelity, forecasts};
 use pathlight_lab::progress::Progress;
-use pathlight_lab::reproduce::RESULTS;
-use pathlight_lab::reproduce::other_data::{self, Table};
+use serde::Serialize;
 
-use super::agent_arg::agent;
-use super::at_least_one::count;
-use super::engine_arg::EngineArg;
-use super::fold_args::FoldArgs;
-use super::json_output;
-use super::scenes_args::ScenesArgs;
+use super::shared_args::count;
+use super::shared_args::random_scenes;
+use pathlight::command_line::agent_arg::agent;
+use pathlight::command_line::engine_arg::EngineArg;
+use pathlight::command_line::fold_args::FoldArgs;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
     Evaluate(Evaluate),
-    Carried(Carried),
-    Paper(Paper),
-    /// Print the results of a dynamics net that learned from random scenes alone, which `measure evaluate --all-tasks`
-    /// wrote, beside the main results, as Markdown
-    RandomScenes(OtherData),
-    /// Print the results of dynamics nets that learned from balls they had proposed, which `measure evaluate` wrote,
-    /// beside the main results, as Markdown
-    ProposedBalls(OtherData),
     Forecasts(Forecasts),
     Calibration(Calibration),
     Fidelity(Fidelity),
@@ -39,10 +31,6 @@ impl Command {
     pub fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let text = match self {
             Command::Evaluate(args) => args.run(progress)?,
-            Command::Carried(args) => args.run()?,
-            Command::Paper(Paper { folder }) => paper_table::page(&folder)?,
-            Command::RandomScenes(args) => args.page(Table::RandomScenes)?,
-            Command::ProposedBalls(args) => args.page(Table::ProposedBalls)?,
             Command::Forecasts(args) => args.run()?,
             Command::Calibration(args) => args.run()?,
             Command::Fidelity(Fidelity { reference, limit, engine: EngineArg { engine } }) => {
@@ -69,10 +57,6 @@ pub struct Evaluate {
     #[arg(long)]
     dev: bool,
 
-    /// Use all 2,500 tasks; the dynamics net must have been trained on random scenes alone
-    #[arg(long, conflicts_with_all = ["dev", "dqn"])]
-    all_tasks: bool,
-
     /// Use at most the first N of these tasks of each template
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     limit: Option<u16>,
@@ -97,13 +81,13 @@ pub struct Evaluate {
     #[arg(long, value_name = "FILE")]
     dqn: Option<PathBuf>,
 
-    /// Measure agents that remember: what the attempts at one task taught is used for the next, in order of ids. Also
-    /// measures them without memory, and with parts of it left out
-    #[arg(long, conflicts_with_all = ["agents", "engine", "dqn"])]
-    carry: bool,
+    /// Measure the agents that can remember with a memory too: what the attempts at one task taught is used for the
+    /// next, in order of ids
+    #[arg(long, conflicts_with = "engine")]
+    memory: bool,
 
-    /// Also play the tasks in an order shuffled with this seed; can be repeated
-    #[arg(long = "shuffle", value_name = "SEED", requires = "carry")]
+    /// With a memory also in an order shuffled with this seed; can be repeated
+    #[arg(long = "shuffle", value_name = "SEED", requires = "memory")]
     shuffles: Vec<u64>,
 }
 
@@ -113,74 +97,22 @@ impl Evaluate {
             agents,
             fold,
             dev,
-            all_tasks,
             limit,
             seed,
             json,
             engine: EngineArg { engine },
             weights,
             dqn,
-            carry,
+            memory,
             shuffles,
         } = self;
-        let (fold, tasks) = (fold.into(), task_set(dev, all_tasks));
+        let tasks = if dev { TaskSet::Dev } else { TaskSet::Test };
+        let orders = memory.then_some(Order::Ids).into_iter().chain(shuffles.into_iter().map(Order::Shuffled));
         json_file::check(json.as_deref())?;
-        if carry {
-            let settings = carried::Settings { fold, tasks, limit, seed, shuffles, weights };
-            let report = settings.measure(progress)?;
-            return json_output::write(json.as_deref(), &report, report.markdown()?);
-        }
-        let settings = evaluate::Settings { agents, fold, tasks, limit, seed, engine, weights, dqn };
+        let (fold, memory) = (fold.into(), orders.collect());
+        let settings = evaluate::Settings { agents, fold, tasks, limit, seed, memory, engine, weights, dqn };
         let report = settings.measure(progress)?;
-        json_output::write(json.as_deref(), &report, report.table()?)
-    }
-}
-
-fn task_set(dev: bool, all: bool) -> TaskSet {
-    match (dev, all) {
-        (true, _) => TaskSet::Dev,
-        (false, true) => TaskSet::All,
-        (false, false) => TaskSet::Test,
-    }
-}
-
-/// Print the results of agents that remember, which `measure evaluate --carry` wrote, as Markdown
-#[derive(clap::Args)]
-pub struct Carried {
-    /// Folder of the results
-    #[arg(value_name = "DIR")]
-    folder: PathBuf,
-}
-
-impl Carried {
-    fn run(self) -> anyhow::Result<String> {
-        Ok(carried::page(&carried::read(&self.folder)?)?)
-    }
-}
-
-/// Print the results of the paper's four nets, which `measure evaluate --agent paper` wrote, beside the published ones,
-/// as Markdown
-#[derive(clap::Args)]
-pub struct Paper {
-    /// Folder of the results
-    #[arg(value_name = "DIR")]
-    folder: PathBuf,
-}
-
-#[derive(clap::Args)]
-pub struct OtherData {
-    /// Folder of the results
-    #[arg(value_name = "DIR")]
-    folder: PathBuf,
-
-    /// Folder of the main results, from `reproduce`
-    #[arg(long, value_name = "DIR", default_value = RESULTS)]
-    main: PathBuf,
-}
-
-impl OtherData {
-    fn page(self, table: Table) -> anyhow::Result<String> {
-        other_data::page(table, &self.folder, &self.main)
+        write_json(json.as_deref(), &report, report.table()?)
     }
 }
 
@@ -190,8 +122,13 @@ pub struct Forecasts {
     #[command(flatten)]
     fold: FoldArgs,
 
-    #[command(flatten)]
-    scenes: ScenesArgs,
+    /// Measure on the dev tasks, to choose settings on
+    #[arg(long, conflicts_with = "random_scenes")]
+    dev: bool,
+
+    /// Measure in this many random scenes, which no net has seen
+    #[arg(long, value_name = "N", value_parser = random_scenes(), conflicts_with = "limit")]
+    random_scenes: Option<u32>,
 
     /// Random balls for each scene; solutions come on top
     #[arg(long, value_name = "N", default_value_t = forecasts::Settings::default().balls)]
@@ -209,10 +146,6 @@ pub struct Forecasts {
     #[arg(long, default_value_t = 0)]
     seed: u64,
 
-    /// Write the soft IoU of imagined and real paths, by template, to this file, as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-
     /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
     #[arg(long)]
     weights: Option<PathBuf>,
@@ -220,25 +153,20 @@ pub struct Forecasts {
 
 impl Forecasts {
     fn run(self) -> anyhow::Result<String> {
-        let Forecasts { fold, scenes, balls, solutions, limit, seed, json, weights } = self;
-        let (fold, scenes) = (fold.into(), scenes.into());
-        json_file::check(json.as_deref())?;
-        let settings = forecasts::Settings { fold, scenes, balls, solutions, limit, seed, weights };
-        let (forecasts, table) = settings.measure()?;
-        json_output::write(json.as_deref(), &forecasts, table)
+        let Forecasts { fold, dev, random_scenes, balls, solutions, limit, seed, weights } = self;
+        let tasks = MeasuredScenes::Tasks(if dev { TaskSet::Dev } else { TaskSet::Test });
+        let (fold, scenes) = (fold.into(), random_scenes.map_or(tasks, MeasuredScenes::Random));
+        forecasts::Settings { fold, scenes, balls, solutions, limit, seed, weights }.measure()
     }
 }
 
-/// Measure how often balls of a given predicted chance solve, on the test tasks of a fold or in other scenes
+/// Measure how often balls of a given predicted chance solve, on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Calibration {
     #[command(flatten)]
     fold: FoldArgs,
 
-    #[command(flatten)]
-    scenes: ScenesArgs,
-
-    /// Random balls for each scene, and as many of the model's candidates
+    /// Random balls for each task, and as many of the model's candidates
     #[arg(
         long,
         value_name = "N",
@@ -266,11 +194,10 @@ pub struct Calibration {
 
 impl Calibration {
     fn run(self) -> anyhow::Result<String> {
-        let Calibration { fold, scenes, balls, limit, seed, json, weights } = self;
-        let (fold, scenes) = (fold.into(), scenes.into());
+        let Calibration { fold, balls, limit, seed, json, weights } = self;
         json_file::check(json.as_deref())?;
-        let calibration = calibration::Settings { fold, scenes, balls, limit, seed, weights }.measure()?;
-        json_output::write(json.as_deref(), &calibration, calibration.table()?)
+        let calibration = calibration::Settings { fold: fold.into(), balls, limit, seed, weights }.measure()?;
+        write_json(json.as_deref(), &calibration, calibration.table()?)
     }
 }
 
@@ -287,4 +214,18 @@ pub struct Fidelity {
 
     #[command(flatten)]
     engine: EngineArg,
+}
+
+/// Writes the file, if one is named, and returns the table to print. The file comes first, so that a closed pipe does
+/// not lose it.
+///
+/// # Errors
+/// If it cannot be written; then the table has been printed, so that the measurement is not lost.
+fn write_json(path: Option<&Path>, value: &impl Serialize, table: String) -> anyhow::Result<String> {
+    let written = json_file::write(path, value);
+    if written.is_err() {
+        // The error that is told is that of the file.
+        let _ = writeln!(io::stdout(), "{table}");
+    }
+    written.map(|()| table)
 }

@@ -9,31 +9,16 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use pathlight::command_line::exit;
+use pathlight_lab::progress::Progress;
 
-#[path = "../../../src/commands/agent_arg.rs"]
-mod agent_arg;
-mod at_least_one;
 mod data;
-#[path = "../../../src/commands/engine_arg.rs"]
-mod engine_arg;
-#[path = "../../../src/commands/exit.rs"]
-mod exit;
 mod figures;
-#[path = "../../../src/commands/fold_args.rs"]
-mod fold_args;
-mod json_output;
 mod measure;
-mod optimiser_arg;
-mod path_weights_args;
-#[path = "../../../src/commands/progress.rs"]
-mod progress;
 mod publish;
 mod reproduce;
-mod run_args;
-mod scenes_args;
+mod shared_args;
 mod shown_progress;
-#[path = "../../../src/commands/template_arg.rs"]
-mod template_arg;
 mod train;
 
 use shown_progress::ShownProgress;
@@ -66,16 +51,21 @@ enum Command {
 
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {
-    let progress = &mut ShownProgress::default();
-    let result = match CommandLine::parse().command {
-        Command::Data(command) => command.run(progress),
-        Command::Train(command) => command.run(progress),
-        Command::Measure(command) => command.run(progress),
-        Command::Reproduce(args) => args.run(progress),
-        Command::Figures(args) => args.run(),
-        Command::Publish(command) => command.run(),
-    };
+    let result = CommandLine::parse().command.run(&mut ShownProgress::default());
     exit::code(result.map(|()| ExitCode::SUCCESS))
+}
+
+impl Command {
+    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        match self {
+            Command::Data(command) => command.run(progress),
+            Command::Train(command) => command.run(progress),
+            Command::Measure(command) => command.run(progress),
+            Command::Reproduce(args) => args.run(progress),
+            Command::Figures(args) => args.run(),
+            Command::Publish(command) => command.run(),
+        }
+    }
 }
 
 /// Prints the files that were written. All are there before anything is printed, so that a closed pipe does not stop

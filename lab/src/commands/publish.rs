@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pathlight_lab::measure::publish_results;
 use pathlight_lab::measure::shipped::Shipped;
-use pathlight_lab::reproduce::{RESULTS, compared};
+use pathlight_lab::reproduce::{RESULTS, means};
 use pathlight_lab::training::publish;
 
 use super::print_paths;
@@ -27,8 +27,7 @@ pub enum Command {
         #[arg(long, default_value = "results/shipped")]
         results: PathBuf,
 
-        /// The folder of the main results, from `reproduce`, whose means stand beside published figures; with the
-        /// results in its folders proposed-balls, random-scenes and paper
+        /// The folder of the results of `reproduce`, whose means stand beside published figures
         #[arg(long, value_name = "DIR", default_value = RESULTS)]
         main: PathBuf,
 
@@ -44,7 +43,7 @@ impl Command {
             Command::Weights { weights, assets } => print_paths(&publish::publish(&weights, &assets)?),
             Command::Results { results, main, assets } => {
                 let shipped = Shipped { measurements: &results, assets: &assets };
-                let compared = compared::comparison(&main)?;
+                let compared = means::comparison(&main)?;
                 print_paths(&[publish_results::publish(&shipped, &compared)?])
             }
         }

@@ -1,25 +1,33 @@
 //! `pathlight-lab reproduce`
 
+use std::fs;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
-use clap::ValueEnum;
+use anyhow::Context;
+use clap::{Parser, ValueEnum};
 use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
-use pathlight_lab::data::collect::SOLUTIONS;
-use pathlight_lab::data::label::LABELS;
+use pathlight_lab::files::json_file;
+use pathlight_lab::measure::report::Report;
 use pathlight_lab::progress::Progress;
-use pathlight_lab::reproduce::fold_result::{DataFiles, Hyperparameters};
-use pathlight_lab::reproduce::{RESULTS, Settings};
+use pathlight_lab::reproduce::recipes::{RECIPES, Recipe, Recipes, words};
+use pathlight_lab::reproduce::{COMMAND, RESULTS, report};
 
-use super::at_least_one::at_least_one;
-use super::fold_args::{fold, setup};
+use super::CommandLine;
+use pathlight::command_line::fold_args::{fold, setup};
+use pathlight::command_line::replace_file::replace_file;
 
-/// Train and measure every fold of both setups, continuing where an earlier run stopped: data, folds, report
+/// Make all results by their recipes, continuing where an earlier run stopped, and the table of them
 #[derive(clap::Args)]
 pub struct Args {
     /// Do only this part
     #[arg(long, value_enum)]
     only: Option<Part>,
+
+    /// Only the results of this recipe, like tasks; can be repeated
+    #[arg(long = "recipe", value_name = "NAME")]
+    names: Vec<String>,
 
     /// Only folds of this setup
     #[arg(long, value_parser = setup())]
@@ -29,102 +37,105 @@ pub struct Args {
     #[arg(long = "fold", value_name = "FOLD", value_parser = fold)]
     folds: Vec<u8>,
 
-    /// Folder of the results and of the report
+    /// Folder of the results and of the table
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
     results: PathBuf,
 
-    /// Solutions of all tasks: collected until complete, and trained on
-    #[arg(long, default_value = SOLUTIONS)]
-    solutions: PathBuf,
+    /// Folder of data and training runs, which results share
+    #[arg(long, value_name = "DIR", default_value = "target/reproduce")]
+    runs: PathBuf,
 
-    /// Balls with their outcome: labelled until complete, and trained on by the success net, the dynamics net and DQN
-    #[arg(long, default_value = LABELS)]
-    labels: PathBuf,
-
-    /// Folder of the training runs, each in its own subfolder SETUP-FOLD
-    #[arg(long, value_name = "DIR", default_value_os_t = Settings::default().train_dir)]
-    train_dir: PathBuf,
-
-    #[command(flatten)]
-    hyperparameters: HyperparameterArgs,
+    /// Follow these recipes, in the format of lab/recipes.toml, instead of those
+    #[arg(long, value_name = "FILE")]
+    recipes: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Part {
-    /// Solutions and labelled balls, which all folds share
-    Data,
-    /// Training and evaluation: a JSON file per setup and fold
-    Folds,
-    /// README.md and costs.md of the existing results
+    /// Training and evaluation: a JSON file per recipe, setup and fold
+    Results,
+    /// README.md of the existing results
     Report,
-}
-
-/// `Hyperparameters`.
-#[derive(clap::Args)]
-struct HyperparameterArgs {
-    /// Seed of training and evaluation
-    #[arg(long, default_value_t = Hyperparameters::default().seed)]
-    seed: u64,
-
-    /// Rounds of labelling; every task tries 64 balls per round
-    #[arg(long, value_name = "ROUNDS", default_value_t = Hyperparameters::default().label_rounds)]
-    label_rounds: u16,
-
-    /// Epochs of the success net and of the dynamics net
-    #[arg(long, default_value_t = Hyperparameters::default().epochs, value_parser = at_least_one())]
-    epochs: u16,
-
-    /// Epochs of DQN
-    #[arg(
-        long,
-        value_name = "EPOCHS",
-        default_value_t = Hyperparameters::default().dqn_epochs,
-        value_parser = at_least_one()
-    )]
-    dqn_epochs: u16,
-
-    /// Use at most the first N test tasks of each template
-    #[arg(long, value_name = "N", default_value_t = Hyperparameters::default().limit, value_parser = at_least_one())]
-    limit: u16,
-}
-
-impl From<HyperparameterArgs> for Hyperparameters {
-    fn from(args: HyperparameterArgs) -> Hyperparameters {
-        Hyperparameters {
-            seed: args.seed,
-            label_rounds: args.label_rounds,
-            epochs: args.epochs,
-            dqn_epochs: args.dqn_epochs,
-            limit: args.limit,
-        }
-    }
 }
 
 impl Args {
     pub fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        let Args { only, setup, folds, results, solutions, labels, train_dir, hyperparameters } = self;
-        let data = DataFiles { solutions, labels };
-        let settings = Settings { results, data, train_dir, hyperparameters: hyperparameters.into() };
-        let asked = |part| only.is_none_or(|only| only == part);
-        if asked(Part::Data) {
-            settings.make_data(progress)?;
-        }
-        if asked(Part::Folds) {
-            for fold in chosen_folds(setup, folds) {
-                settings.make_result(fold, progress)?;
+        let recipes = match &self.recipes {
+            None => Recipes::parse(RECIPES)?,
+            Some(path) => {
+                let name = path.display();
+                let text = fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
+                Recipes::parse(&text).with_context(|| format!("cannot follow {name}"))?
+            }
+        };
+        let named = self.names.iter().map(|name| recipes.named(name)).collect::<anyhow::Result<Vec<&Recipe>>>()?;
+        let asked: Vec<&Recipe> = if named.is_empty() { recipes.iter().collect() } else { named };
+        if self.only != Some(Part::Report) {
+            for fold in self.chosen_folds() {
+                for recipe in &asked {
+                    self.make(&recipes, recipe, fold, progress)?;
+                }
             }
         }
-        if asked(Part::Report) {
+        if self.only != Some(Part::Results) {
             // All is written before anything is printed, so that a closed pipe does not stop halfway.
-            io::stdout().write_all(settings.report()?.as_bytes())?;
+            let text = report::text(&self.results, &recipes)?;
+            replace_file(&self.results.join("README.md"), text.as_bytes())?;
+            io::stdout().write_all(text.as_bytes())?;
         }
+        Ok(())
+    }
+
+    /// The folds to make results of, both setups of a fold one after the other.
+    fn chosen_folds(&self) -> Vec<FoldId> {
+        let folds = if self.folds.is_empty() { (0..FOLDS).collect() } else { self.folds.clone() };
+        let setups = self.setup.map_or(vec![Setup::Within, Setup::Cross], |setup| vec![setup]);
+        folds.into_iter().flat_map(|fold| setups.iter().map(move |&setup| FoldId { setup, fold })).collect()
+    }
+
+    /// Makes the result of a fold by a recipe, unless its file exists.
+    fn make(
+        &self,
+        recipes: &Recipes,
+        recipe: &Recipe,
+        fold: FoldId,
+        progress: &mut dyn Progress,
+    ) -> anyhow::Result<()> {
+        let result = self.results.join(&recipe.name).join(format!("{fold}.json"));
+        let steps = recipes.steps(recipe, fold.setup);
+        if result.exists() {
+            let is_of_today = Report::read(&result, COMMAND)?.made_by == steps;
+            let note = if is_of_today { "" } else { ", made by an earlier recipe: remove it to make it again" };
+            progress.say(&format!("{} exists{note}", result.display()));
+            return Ok(());
+        }
+        let file = |ending| self.runs.join(format!("{}-{fold}.{ending}", recipe.name));
+        let (measured, spent) = (file("json"), file("minutes"));
+        let mut minutes = read_minutes(&spent)?;
+        // All are read before hours are spent on the first.
+        let commands = steps.iter().map(|step| {
+            let words = words(step, fold, &self.runs, &measured);
+            let line = format!("pathlight-lab {}", words.join(" "));
+            let parsed = CommandLine::try_parse_from(std::iter::once("pathlight-lab".to_string()).chain(words));
+            let parsed = parsed.with_context(|| format!("the recipe {} cannot be followed", recipe.name))?;
+            Ok((line, parsed.command))
+        });
+        for (line, command) in commands.collect::<anyhow::Result<Vec<_>>>()? {
+            progress.say(&format!("$ {line}"));
+            let started = Instant::now();
+            command.run(progress)?;
+            minutes += started.elapsed().as_secs_f64() * rayon::current_num_threads() as f64 / 60.0;
+            json_file::write(Some(&spent), &minutes)?;
+        }
+        let mut report = Report::read(&measured, COMMAND)?;
+        (report.made_by, report.core_minutes) = (steps, Some((10.0 * minutes).round() / 10.0));
+        json_file::write(Some(&result), &report)?;
+        progress.say(&format!("wrote {}", result.display()));
         Ok(())
     }
 }
 
-/// The folds to make results of, both setups of a fold one after the other.
-fn chosen_folds(setup: Option<Setup>, folds: Vec<u8>) -> Vec<FoldId> {
-    let folds = if folds.is_empty() { (0..FOLDS).collect() } else { folds };
-    let setups: Vec<Setup> = setup.map_or(vec![Setup::Within, Setup::Cross], |setup| vec![setup]);
-    folds.into_iter().flat_map(|fold| setups.iter().map(move |&setup| FoldId { setup, fold })).collect()
+/// What an interrupted run has spent on a result.
+fn read_minutes(path: &Path) -> anyhow::Result<f64> {
+    if path.exists() { json_file::read(path, COMMAND) } else { Ok(0.0) }
 }

@@ -1,6 +1,6 @@
 //! The progress of the library's functions on standard error.
 
-use super::progress::{Progress, say};
+use pathlight::command_line::progress::{Progress, say};
 
 /// Shows a bar for the piece of work that is under way.
 #[derive(Default)]

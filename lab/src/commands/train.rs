@@ -9,11 +9,11 @@ use pathlight_lab::training::dynamics::DynamicsRecipe;
 use pathlight_lab::training::settings::PathsRecipe;
 use pathlight_lab::training::{dqn, dynamics, paths, success};
 
-use super::at_least_one::{at_least_one, count};
-use super::fold_args::FoldArgs;
-use super::optimiser_arg::OptimiserName;
-use super::path_weights_args::PathWeightsArgs;
-use super::run_args::RunArgs;
+use super::shared_args::OptimiserName;
+use super::shared_args::PathWeightsArgs;
+use super::shared_args::RunArgs;
+use super::shared_args::{at_least_one, count};
+use pathlight::command_line::fold_args::FoldArgs;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
@@ -172,10 +172,6 @@ pub struct Dynamics {
     #[arg(long)]
     without_dev: bool,
 
-    /// Learn chances alone, not the paths, to measure what these bring; such weights cannot be published
-    #[arg(long)]
-    without_paths: bool,
-
     /// Start from the dynamics net of these weights, not from fresh weights
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
@@ -200,7 +196,6 @@ impl From<Dynamics> for dynamics::Settings {
                 path_weights: args.path_weights.into(),
             },
             without_dev: args.without_dev,
-            without_paths: args.without_paths,
             from: args.from,
             run: args.run.into(),
         }

@@ -34,11 +34,8 @@ pub struct LabelledBalls {
     pub failed: Vec<Ball>,
     /// For each ball, the solved ones first, the other task of the template around whose solution it was sampled, if it
     /// was: a ball near a solution of a test task reveals where it lies.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub siblings: Vec<Option<TaskId>>,
-    /// The sampled paths of the green object and of the ball for each ball, the solved ones first. Absent from older
-    /// files.
-    #[serde(default, skip_serializing_if = "LabelledPaths::is_empty")]
+    /// The sampled paths of the green object and of the ball for each ball, the solved ones first.
     pub paths: LabelledPaths,
 }
 
@@ -52,10 +49,6 @@ pub const PATHS_LEN: usize = 4 * SAMPLES;
 pub struct LabelledPaths(pub Vec<u8>);
 
 impl LabelledPaths {
-    fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
     fn push(&mut self, paths: &SampledPaths) {
         let positions = paths.object.iter().chain(&paths.ball).flatten();
         self.0.extend(positions.map(|coordinate| coordinate.round().clamp(0.0, 255.0) as u8));

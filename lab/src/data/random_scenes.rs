@@ -29,7 +29,7 @@ const PLACES: usize = 30;
 /// How far a body falls between two looks at what is below it, px.
 const FALL: f64 = 1.0;
 
-/// Mixed into the number of a scene, so that its draws are not those of a variant with the same number.
+/// Mixed into the number of a scene, so that its draws are not those of a task with the same seed.
 const SALT: u64 = 0x72616e646f6d;
 
 /// Returns the random scene of a number. Its goal is not reached without a ball.

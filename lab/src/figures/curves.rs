@@ -3,15 +3,13 @@
 //! The axis of the attempts is that of AUCCESS: attempt k takes the width ln(k + 1) - ln(k), its weight. So AUCCESS is
 //! the area under a curve, in percent of the panel.
 
-use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::benchmark::folds::Setup;
+use pathlight::benchmark::auccess::{MAX_ATTEMPTS, solved_within};
 use svg::node::element::path::Data;
 use svg::node::element::{Definitions, Group, Path};
 
-use super::measured::{self, Measured};
 use super::picture::{Anchor, FAINT, Figure, MUTED, line, px, words};
 use crate::measure::agents::row;
-use crate::reproduce::compared::{Published, REPORTED};
+use crate::measure::report::{Report, Score};
 
 /// The part of a panel that is plotted on, px: its place in the panel and its size.
 const PLOT: [f64; 4] = [58.0, 38.0, 330.0, 230.0];
@@ -19,64 +17,57 @@ const PLOT: [f64; 4] = [58.0, 38.0, 330.0, 230.0];
 /// Width and height of a panel with its axes and labels, px.
 const PANEL: [f64; 2] = [520.0, 322.0];
 
-/// Height of the words below the panels, px.
-const FOOT: f64 = 26.0;
-
 /// Distance between two labels of curves, px.
 const LABEL: f64 = 16.0;
 
 const TICKS: [usize; 7] = [1, 2, 5, 10, 20, 50, 100];
 
-/// Draws the figure.
-pub fn draw(groups: &[measured::Group]) -> Figure {
+/// Draws the figure: a panel for each report, side by side.
+pub fn draw(reports: &[Report]) -> Figure {
     let mut content = Group::new();
-    let mut used = [0.0, 0.0];
-    let mut height: f64 = 0.0;
-    for group in groups {
-        let column = usize::from(group.setup == Setup::Cross);
-        let corner = [column as f64 * PANEL[0], used[column]];
-        used[column] += PANEL[1];
-        height = height.max(used[column]);
-        content = content.add(panel(group).set("transform", format!("translate({} {})", px(corner[0]), px(corner[1]))));
+    for (column, report) in reports.iter().enumerate() {
+        let left = px(column as f64 * PANEL[0]);
+        content = content.add(panel(report).set("transform", format!("translate({left} 0)")));
     }
-    let published = REPORTED.map(|(label, Published { auccess: [within, cross], .. })| {
-        format!("{label} {within} within and {cross} cross")
+    let numbers = reports.iter().map(|report| {
+        let agents: Vec<String> = report.agents.iter().map(sentence).collect();
+        format!("{}: {}.", heading(report), agents.join("; "))
     });
-    let published = format!("Published auccess, all ten folds, on PHYRE's engine: {}.", published.join("; "));
-    content = content.add(words(published.as_str(), [PLOT[0], height + 6.0], 11.0, Anchor::Start).set("fill", MUTED));
-    let numbers: Vec<String> = groups
-        .iter()
-        .map(|group| {
-            let agents: Vec<String> = group.agents.iter().map(sentence).collect();
-            format!("{}, {}: {}.", group.setup, group.of, agents.join("; "))
-        })
-        .collect();
     Figure {
         name: "curves",
         title: "Tasks solved within so many attempts",
         caption:
-            "The share of the test tasks that each agent solves within so many attempts. Attempts are as wide as they \
-                  weigh in AUCCESS, which is the area under a curve and stands beside it."
+            "The share of the test tasks that each agent solves within so many attempts, with the models on the page. \
+                  Attempts are as wide as they weigh in AUCCESS, which is the area under a curve and stands beside it."
                 .to_string(),
-        numbers: format!("{} {published}", numbers.join(" ")),
-        size: [2.0 * PANEL[0], height + FOOT],
+        numbers: numbers.collect::<Vec<_>>().join(" "),
+        size: [reports.len() as f64 * PANEL[0], PANEL[1]],
         definitions: Definitions::new(),
         content,
     }
 }
 
+fn heading(report: &Report) -> String {
+    format!("{}, fold {}", report.setup, report.fold)
+}
+
 /// What a curve shows, in words.
-fn sentence(agent: &Measured) -> String {
-    let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * agent.solved_within(attempts));
+fn sentence(score: &Score) -> String {
+    let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved(score, attempts));
     format!(
         "{} {first:.0} % at the first attempt, {ten:.0} % within 10, {hundred:.0} % within {MAX_ATTEMPTS}",
-        label(agent)
+        label(score)
     )
 }
 
+/// The share of tasks solved within a number of attempts, 0..=1.
+fn solved(score: &Score, attempts: usize) -> f64 {
+    solved_within(&score.first_solved, attempts)
+}
+
 /// The name of an agent, and its auccess.
-fn label(agent: &Measured) -> String {
-    format!("{} {:.1}", agent.agent, agent.auccess(None).unwrap_or_default())
+fn label(score: &Score) -> String {
+    format!("{} {:.1}", score.player, score.auccess)
 }
 
 /// Where the bar of an attempt begins, px.
@@ -91,12 +82,10 @@ fn y(share: f64) -> f64 {
     top + height * (1.0 - share)
 }
 
-fn panel(group: &measured::Group) -> Group {
+fn panel(report: &Report) -> Group {
     let [left, top, width, height] = PLOT;
-    let mut panel = Group::new().add(
-        words(format!("{}: {}", group.setup, group.of), [left, top - 14.0], 13.0, Anchor::Start)
-            .set("font-weight", "bold"),
-    );
+    let mut panel =
+        Group::new().add(words(heading(report), [left, top - 14.0], 13.0, Anchor::Start).set("font-weight", "bold"));
     for percent in [0, 20, 40, 60, 80, 100] {
         let at = y(f64::from(percent) / 100.0);
         panel = panel
@@ -114,16 +103,16 @@ fn panel(group: &measured::Group) -> Group {
         .add(words("attempts", [left + width / 2.0, top + height + 34.0], 11.0, Anchor::Middle).set("fill", MUTED))
         .add(upwards.set("transform", format!("translate({} {}) rotate(-90)", px(left - 38.0), px(middle))));
     // Drawn first what lies below: the first agents are the best ones.
-    for agent in group.agents.iter().rev() {
-        panel = panel.add(curve(agent));
+    for score in report.agents.iter().rev() {
+        panel = panel.add(curve(score));
     }
-    let ends: Vec<f64> = group.agents.iter().map(|agent| y(agent.solved_within(MAX_ATTEMPTS))).collect();
-    for (agent, at) in group.agents.iter().zip(apart(&ends)) {
-        let (colour, _) = row(agent.agent).style;
+    let ends: Vec<f64> = report.agents.iter().map(|score| y(solved(score, MAX_ATTEMPTS))).collect();
+    for ((score, at), &last) in report.agents.iter().zip(apart(&ends)).zip(&ends) {
+        let (colour, _) = row(score.player.agent).style;
         let end = left + width;
-        let leader = line([end + 2.0, y(agent.solved_within(MAX_ATTEMPTS))], [end + 16.0, at], colour);
+        let leader = line([end + 2.0, last], [end + 16.0, at], colour);
         panel = panel.add(leader.set("stroke-width", 2)).add(words(
-            label(agent),
+            label(score),
             [end + 20.0, at + 4.0],
             12.0,
             Anchor::Start,
@@ -132,19 +121,19 @@ fn panel(group: &measured::Group) -> Group {
     panel
 }
 
-fn curve(agent: &Measured) -> Group {
-    let mut share = agent.solved_within(1);
+fn curve(score: &Score) -> Group {
+    let mut share = solved(score, 1);
     let mut data = Data::new().move_to((px(x(1)), px(y(share))));
     for attempt in 2..=MAX_ATTEMPTS {
-        let next = agent.solved_within(attempt);
+        let next = solved(score, attempt);
         if next != share {
             data = data.horizontal_line_to(px(x(attempt))).vertical_line_to(px(y(next)));
             share = next;
         }
     }
-    let (colour, dashes) = row(agent.agent).style;
+    let (colour, dashes) = row(score.player.agent).style;
     let path =
-        Path::new().set("d", data.horizontal_line_to(px(x(MAX_ATTEMPTS + 1)))).set("class", agent.agent.to_string());
+        Path::new().set("d", data.horizontal_line_to(px(x(MAX_ATTEMPTS + 1)))).set("class", score.player.to_string());
     Group::new()
         .add(path.set("fill", "none").set("stroke", colour).set("stroke-width", 2).set("stroke-dasharray", dashes))
 }

@@ -6,29 +6,21 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use crate::files::replace_file::replace_file;
+use crate::measure::report::Report;
 use crate::measure::shipped::Shipped;
+use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::command_line::replace_file::replace_file;
 use picture::Figure;
-use strip_choice::Choice;
 
-mod auccess_bars;
-mod bar_table;
 mod curves;
-mod measured;
-mod path_iou_bars;
 mod picture;
 mod scene_drawing;
-mod strip_choice;
 mod strips;
-mod templates;
 
 /// Where the results are, and the figures go.
 pub struct Settings {
-    /// The folder of the results of `reproduce`, whose folders shipped/ and paper/ have those of the models on the page
-    /// and of the paper's nets.
+    /// The folder of the results, whose folder shipped/ has those of the models on the page.
     pub results: PathBuf,
-    /// Solutions of all tasks.
-    pub solutions: PathBuf,
     /// The folder of the weights of the models on the page.
     pub assets: PathBuf,
     /// The folder of the figures.
@@ -42,15 +34,9 @@ impl Settings {
     /// If results are missing or do not belong together, or the folder cannot be written.
     pub fn draw(&self) -> anyhow::Result<Vec<PathBuf>> {
         let shipped = Shipped { measurements: &self.results.join("shipped"), assets: &self.assets };
-        let groups = measured::groups(&self.results, &shipped)?;
-        let figures = [
-            templates::draw(&self.solutions)?,
-            strips::draw(&shipped, Choice::Outcomes)?,
-            strips::draw(&shipped, Choice::Weakest)?,
-            curves::draw(&groups),
-            auccess_bars::draw(&groups),
-            path_iou_bars::draw(&shipped)?,
-        ];
+        let report = |fold: FoldId| Ok(shipped.read::<Report>(&fold.to_string())?.0);
+        let reports = shipped_folds().into_iter().map(report).collect::<anyhow::Result<Vec<_>>>()?;
+        let figures = [strips::draw(&shipped)?, curves::draw(&reports)];
         let mut files: Vec<(String, String)> =
             figures.iter().map(|figure| (format!("{}.svg", figure.name), figure.to_svg())).collect();
         files.push(("README.md".to_string(), page(&figures)?));
@@ -64,12 +50,16 @@ impl Settings {
     }
 }
 
+/// The folds of the models that the page has.
+fn shipped_folds() -> [FoldId; 2] {
+    [Setup::Within, Setup::Cross].map(|setup| FoldId { setup, fold: 0 })
+}
+
 /// The page that shows the figures.
 fn page(figures: &[Figure]) -> anyhow::Result<String> {
-    let mut text =
-        "# Figures\n\n`pathlight-lab figures` draws them from the results and the models on the page. The text \
-                    alternative of each file holds its numbers.\n"
-            .to_string();
+    const HEAD: &str =
+        "# Figures\n\n`pathlight-lab figures` draws them. The text alternative of each holds its numbers.\n";
+    let mut text = HEAD.to_string();
     for Figure { name, title, caption, .. } in figures {
         writeln!(text, "\n## {title}\n\n![{title}]({name}.svg)\n\n{caption}")?;
     }

@@ -3,7 +3,7 @@
 //! The tasks are chosen by a rule. The agent plays them again, and has to do what its evaluation says.
 
 use anyhow::{Context, ensure};
-use pathlight::agents::agent_name::Loaded;
+use pathlight::agents::agent_name::{AgentName, Loaded};
 use pathlight::agents::{Origin, Proposal};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::colour::imagined_maps::ImaginedMap;
@@ -11,7 +11,7 @@ use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::rollout::{Rollout, STEPS_PER_SECOND};
 use pathlight::puzzle::sampled_paths::{SampledPath, SampledPaths};
 use pathlight::puzzle::scene::{Body, Role};
-use pathlight::puzzle::task::Task;
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::raster::path_image;
 use pathlight::raster::soft_iou::soft_iou;
@@ -19,10 +19,9 @@ use pathlight::session::turn::Turn;
 use pathlight::simulator::simulate;
 use svg::node::element::{Definitions, Group, Use};
 
-use super::measured::shipped_folds;
 use super::picture::{Anchor, Figure, MUTED, words};
 use super::scene_drawing::{self, LineStyle, ball_outline, hatch, map, path, positions, window};
-use super::strip_choice::{Choice, Chosen};
+use super::shipped_folds;
 use crate::files::weights_file::load_nets;
 use crate::measure::report::Report;
 use crate::measure::shipped::Shipped;
@@ -41,11 +40,22 @@ const HEAD: f64 = 18.0;
 /// Opacity of the scene below a map, 0..=1.
 const BELOW: f64 = 0.35;
 
-/// A strip.
+/// A task counts as solved late if this attempt or a later one solved it.
+const LATE: usize = 10;
+
+type Rule = fn(Option<usize>) -> bool;
+
+/// Which tasks of each setup are shown, in their order.
+const CHOICE: [(Rule, &str); 3] = [
+    (|first| first == Some(1), "solved at once"),
+    (|first| matches!(first, Some(LATE..)), "solved late"),
+    (|first| first.is_none(), "not solved"),
+];
+
 struct Strip {
     task: Task,
     /// What is said below its name.
-    note: String,
+    note: &'static str,
     imagined: Imagined,
     /// The number of the attempt that is shown, from 1.
     attempt: usize,
@@ -61,7 +71,7 @@ struct Strip {
 ///
 /// # Errors
 /// If the evaluations or the weights are missing, or do not belong together.
-pub fn draw(shipped: &Shipped, choice: Choice) -> anyhow::Result<Figure> {
+pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
     let mut definitions = Definitions::new().add(hatch());
     let mut content = Group::new();
     for (column, heading) in COLUMNS.into_iter().enumerate() {
@@ -73,8 +83,13 @@ pub fn draw(shipped: &Shipped, choice: Choice) -> anyhow::Result<Figure> {
         let (report, _) = shipped.read::<Report>(&fold.to_string())?;
         let weights = shipped.assets.join(format!("{fold}.safetensors"));
         let (nets, _) = load_nets(Some(&weights), fold)?;
-        for chosen in choice.tasks(&report)? {
-            let strip = Strip::play(&nets, &report, chosen)?;
+        let firsts = report.first_solved(AgentName::Online).context("the evaluation lacks the online agent")?;
+        let chosen = CHOICE.into_iter().filter_map(|(rule, note)| {
+            let task = report.tasks().into_iter().zip(firsts).find(|&(_, &first)| rule(first));
+            task.map(|(task, &first)| (task, first, note))
+        });
+        for (task, first, note) in chosen {
+            let strip = Strip::play(&nets, report.seed, task, first, note)?;
             let id = format!("scene-{count}");
             definitions = definitions.add(scene_drawing::scene(&strip.task.scene).set("id", id.as_str()));
             let (drawn, sentence) = strip.draw(&format!("{}, fold {}", fold.setup, fold.fold), count, &id)?;
@@ -85,14 +100,14 @@ pub fn draw(shipped: &Shipped, choice: Choice) -> anyhow::Result<Figure> {
     }
     let width = left(COLUMNS.len()) - STEP[0] + SIDE + MARGIN;
     Ok(Figure {
-        name: choice.name(),
-        title: choice.title(),
+        name: "strips",
+        title: "What the nets imagine, and what happens",
         caption: format!(
-            "{} The maps are what the nets imagine before anything moves; the lines over them are what happens: without a \
+            "Of each setup, in the order of the test tasks of fold 0, the first that the agent solved at once, the \
+             first that it solved at attempt {LATE} or later, and the first that it did not solve in {MAX_ATTEMPTS}. The maps are what the nets imagine before anything moves; the lines over them are what happens: without a \
              ball over the base path, with the shown ball over target and action path (IoU is their soft overlap), and \
              the ball itself over the placement. The shown ball is the one that solved, or the first one; dotted is \
-             what the dynamics net imagines for it.",
-            choice.rule()
+             what the dynamics net imagines for it."
         ),
         numbers: numbers.join(" "),
         size: [width, MARGIN + HEAD + count as f64 * STEP[1] + 6.0],
@@ -107,14 +122,13 @@ fn left(column: usize) -> f64 {
 
 impl Strip {
     /// Lets the agent play the task again.
-    fn play(nets: &PathNet, report: &Report, chosen: Chosen) -> anyhow::Result<Strip> {
-        let Chosen { task: id, first, note } = chosen;
+    fn play(nets: &PathNet, seed: u64, id: TaskId, first: Option<usize>, note: &'static str) -> anyhow::Result<Strip> {
         let task = Task::load(id)?;
         let scene = &task.scene;
-        let agent = report.agents[0].agent;
+        let agent = AgentName::Online;
         agent.check(nets)?;
         let loaded = Loaded { nets: Some(nets), dqn: None };
-        let mut turn = Turn::new(scene.clone(), agent.start(loaded, scene, id.seed(report.seed), MAX_ATTEMPTS));
+        let mut turn = Turn::new(scene.clone(), agent.start(loaded, scene, id.seed(seed), MAX_ATTEMPTS));
         let (mut shown, mut attempts, mut solved) = (None, 0, false);
         while let Some((proposal, rollout)) = turn.attempt()? {
             attempts += 1;
@@ -188,7 +202,7 @@ impl Strip {
             (template.to_string(), 12.0, "bold"),
             (task.id.to_string(), 11.0, "normal"),
             (fold.to_string(), 11.0, "normal"),
-            (self.note.clone(), 11.0, "normal"),
+            (self.note.to_string(), 11.0, "normal"),
         ];
         for (index, (line, size, weight)) in title.into_iter().enumerate() {
             let at = [MARGIN, top + SIDE / 2.0 - 20.0 + 16.0 * index as f64];

@@ -20,7 +20,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::differences::differences;
-use super::file_lock::wait_for_lock;
+use super::file_lock::lock;
 use crate::progress::Progress;
 
 /// Longest line, bytes. Those of `label` have some 8,000.
@@ -61,7 +61,7 @@ impl Journal {
         progress: &mut dyn Progress,
     ) -> anyhow::Result<(Journal, Vec<E>)> {
         let name = path.display();
-        let mut journal = Journal { path: path.to_path_buf(), file: wait_for_lock(path, progress)?, ends: Vec::new() };
+        let mut journal = Journal { path: path.to_path_buf(), file: lock(path, progress)?, ends: Vec::new() };
         if is_cut_off_in_the_settings(&journal.file, &serde_json::to_vec(settings)?)? {
             journal.file.set_len(0).and_then(|()| journal.file.rewind()).with_context(|| journal.cannot_write())?;
             journal.append(std::slice::from_ref(settings))?;
@@ -122,21 +122,6 @@ pub fn read<E: Entry>(path: &Path) -> anyhow::Result<(E::Settings, Vec<E>)> {
         .with_context(|| format!("cannot read {}: run `pathlight-lab {}` first", path.display(), E::COMMAND))?;
     let contents = parse(&file, path)?;
     Ok((contents.settings, contents.entries))
-}
-
-/// Whether a file begins with the settings of such entries.
-///
-/// # Errors
-/// If it cannot be read.
-pub fn is_file_of<E: Entry>(path: &Path) -> anyhow::Result<bool> {
-    let cannot_read = || format!("cannot read {}", path.display());
-    let mut line = Vec::new();
-    BufReader::new(File::open(path).with_context(cannot_read)?)
-        .take(MAX_LINE)
-        .read_until(b'\n', &mut line)
-        .with_context(cannot_read)?;
-    let text = utf8(&line).with_context(cannot_read)?;
-    Ok(serde_json::from_str::<E::Settings>(text).is_ok())
 }
 
 /// Whether the file is empty or ends within the settings that this process would write: nothing is lost with it, and no

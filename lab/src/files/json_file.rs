@@ -7,7 +7,7 @@ use anyhow::Context;
 use pathlight::puzzle::utf8::utf8;
 use serde::{Deserialize, Serialize};
 
-use super::replace_file::{check_replaceable, replace_file};
+use pathlight::command_line::replace_file::{check_replaceable, replace_file};
 
 /// Reads a file; `command` is what writes it.
 ///

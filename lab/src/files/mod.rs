@@ -11,9 +11,6 @@ pub mod differences;
 pub mod file_lock;
 pub mod journal;
 pub mod json_file;
-pub mod quoted;
-#[path = "../../../src/commands/replace_file.rs"]
-pub mod replace_file;
 pub mod weights_file;
 
 /// Returns the SHA-256 of a file, in hexadecimal.

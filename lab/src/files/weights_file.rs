@@ -28,6 +28,20 @@ pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, 
     Ok((nets, card))
 }
 
+/// Reads nets whose dynamics net is of this fold or has learned from random scenes alone, and how they were trained;
+/// without a path, the shipped ones. The other nets may be of another fold.
+///
+/// # Errors
+/// As those of `load_nets`.
+pub fn load_nets_for_dynamics(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
+    let path = weights_path(path, fold);
+    let (nets, card) = load_nets_of_any_fold(&path)?;
+    if !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.random_scenes_alone) {
+        card.fold_id().check(fold).with_context(|| format!("cannot use {}", path.display()))?;
+    }
+    Ok((nets, card))
+}
+
 /// Reads nets, and how they were trained. The caller checks what they may know.
 ///
 /// # Errors

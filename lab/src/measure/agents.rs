@@ -20,8 +20,6 @@ pub struct MeasuredAgent {
 /// Weights of a fold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weights {
-    /// The four nets alone. `reproduce` trains them for one epoch and does not measure their agent;
-    /// `scripts/paper-table` does.
     Paths,
     Success,
     Dynamics,
@@ -92,11 +90,6 @@ pub const AGENTS: [MeasuredAgent; AgentName::ALL.len()] = [
 /// Returns the row of an agent.
 pub fn row(agent: AgentName) -> &'static MeasuredAgent {
     AGENTS.iter().find(|row| row.agent == agent).expect("every agent has a row, as a test checks")
-}
-
-/// Returns the agents that are measured with these weights.
-pub fn measured_with(weights: Weights) -> impl Iterator<Item = AgentName> {
-    AGENTS.iter().filter(move |row| row.weights == weights).map(|row| row.agent)
 }
 
 #[cfg(test)]

@@ -1,5 +1,4 @@
-//! Calibration: whether the chances that the model gives to balls come true, on the test tasks of a fold or in other
-//! scenes.
+//! Calibration: whether the chances that the model gives to balls come true, on the test tasks of a fold.
 //!
 //! Uniformly random balls, as a person may place them, few of which the model finds likely; and some of the candidates
 //! that the model itself considers, from the likeliest on.
@@ -14,14 +13,14 @@ use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::action::{Ball, Obstacles};
 use pathlight::puzzle::sampling::uniform_ball;
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{self, simulate};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::measured_scenes::MeasuredScenes;
-use crate::data::scene_id::SceneId;
+use super::task_set::TaskSet;
 use crate::files::weights_file::load_nets;
 
 /// Bins of equal width in which chances are counted.
@@ -30,8 +29,7 @@ const BINS: usize = 10;
 /// What to measure.
 pub struct Settings {
     pub fold: FoldId,
-    pub scenes: MeasuredScenes,
-    /// Random balls for each scene, and as many of the model's candidates.
+    /// Random balls for each task, and as many of the model's candidates.
     pub balls: u16,
     /// Use only the first N test tasks of each template.
     pub limit: Option<u16>,
@@ -43,14 +41,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings {
-            fold: FoldId::default(),
-            scenes: MeasuredScenes::default(),
-            balls: 20,
-            limit: None,
-            seed: 0,
-            weights: None,
-        }
+        Settings { fold: FoldId::default(), balls: 20, limit: None, seed: 0, weights: None }
     }
 }
 
@@ -66,11 +57,8 @@ pub struct Calibration {
     pub agents_version: u32,
     /// How the model was trained.
     pub card: Card,
-    /// Scenes that the balls were tried in: test tasks, unless others were asked for.
+    /// Test tasks that the balls were tried in.
     pub tasks: usize,
-    /// What they are.
-    #[serde(skip)]
-    scenes: MeasuredScenes,
     /// Chances from 0 to 1, in bins of equal width.
     pub random: Vec<Bin>,
     pub candidates: Vec<Bin>,
@@ -96,10 +84,9 @@ impl Settings {
     /// If the weights cannot be used for it.
     pub fn measure(&self) -> anyhow::Result<Calibration> {
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
-        self.scenes.check(&card)?;
-        let scenes = self.scenes.ids(self.fold, self.limit);
+        let tasks = TaskSet::Test.tasks(self.fold, self.limit);
         let trials: Vec<[Vec<Trial>; 2]> =
-            scenes.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
+            tasks.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
         let [random, candidates] = [0, 1].map(|kind| bins(trials.iter().flat_map(|of_task| &of_task[kind])));
         Ok(Calibration {
             setup: self.fold.setup,
@@ -108,16 +95,15 @@ impl Settings {
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
             card,
-            tasks: scenes.len(),
-            scenes: self.scenes,
+            tasks: tasks.len(),
             random,
             candidates,
         })
     }
 
-    /// Random balls of a scene, and some of the model's candidates.
-    fn trials(&self, nets: &PathNet, id: SceneId) -> anyhow::Result<[Vec<Trial>; 2]> {
-        let scene = id.scene()?;
+    /// Random balls in a task, and some of the model's candidates.
+    fn trials(&self, nets: &PathNet, id: TaskId) -> anyhow::Result<[Vec<Trial>; 2]> {
+        let scene = Task::load(id)?.scene;
         let count = usize::from(self.balls);
         let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
         let obstacles = Obstacles::new(&scene);
@@ -157,8 +143,8 @@ fn bins<'a>(trials: impl Iterator<Item = &'a Trial>) -> Vec<Bin> {
 impl Calibration {
     /// The bins as a table for people.
     pub fn table(&self) -> Result<String, fmt::Error> {
-        let Calibration { setup, fold, tasks, scenes, seed, random, candidates, .. } = self;
-        let mut text = format!("{setup}-{fold}, {tasks} {}, seed {seed}\n", scenes.words());
+        let Calibration { setup, fold, tasks, seed, random, candidates, .. } = self;
+        let mut text = format!("{setup}-{fold}, {tasks} test tasks, seed {seed}\n");
         writeln!(text, "{:>14}  {:^25}  {:^25}", "chance", "random balls", "the model's candidates")?;
         for (index, (random, candidates)) in random.iter().zip(candidates).enumerate() {
             let bin = format!("{} to {} %", 100 * index / BINS, 100 * (index + 1) / BINS);

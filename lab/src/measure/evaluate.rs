@@ -5,7 +5,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::ensure;
+use anyhow::Context;
 use pathlight::agents::agent_name::{AgentName, Loaded};
 use pathlight::agents::{self, Agent};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
@@ -17,9 +17,10 @@ use pathlight::simulator::Engine;
 use rayon::prelude::*;
 
 use super::agents::{Weights, row};
-use super::report::{Report, Score};
+use super::report::{Order, Player, Report, Score};
 use super::task_set::TaskSet;
-use crate::files::weights_file::{load_dqn, load_nets};
+use super::with_memory;
+use crate::files::weights_file::{load_dqn, load_nets_for_dynamics};
 use crate::progress::Progress;
 
 /// What to measure.
@@ -34,6 +35,8 @@ pub struct Settings {
     pub limit: Option<u16>,
     /// Seed of all random draws.
     pub seed: u64,
+    /// Let the agents that can carry what attempts taught them from task to task, in each of these orders.
+    pub memory: Vec<Order>,
     pub engine: Engine,
     /// Weights of the model; `None` are the shipped ones.
     pub weights: Option<PathBuf>,
@@ -47,18 +50,12 @@ impl Settings {
     /// # Errors
     /// If the weights cannot be used for it.
     pub fn measure(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
-        for &agent in &self.agents {
-            ensure!(
-                self.may_measure(agent),
-                "{agent} is of nets that were trained on some of the tasks, so --all-tasks would not measure what is \
-                 new to them: name other agents"
-            );
-        }
         let tasks = self.tasks.tasks(self.fold, self.limit);
         let mut report = Report {
             setup: self.fold.setup,
             fold: self.fold.fold,
             tasks_of: self.tasks,
+            limit: self.limit,
             seed: self.seed,
             engine: self.engine,
             simulator: self.engine.version(),
@@ -66,12 +63,20 @@ impl Settings {
             card: None,
             dqn: None,
             agents: Vec::new(),
+            made_by: Vec::new(),
+            core_minutes: None,
         };
-        let mut nets = None;
+        let (mut nets, mut is_of_fold) = (None, true);
         if AgentName::ALL.into_iter().any(|agent| agent.is_of_model() && self.measures(agent)) {
-            let (loaded, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
+            let (loaded, mut card) = load_nets_for_dynamics(self.weights.as_deref(), self.fold)?;
+            // The dynamics net may know no task, and the others those of another fold.
+            is_of_fold = card.fold_id() == self.fold;
             for agent in AgentName::ALL.into_iter().filter(|&agent| self.measures(agent)) {
                 match row(agent).weights {
+                    Weights::Success | Weights::Paths if !self.agents.is_empty() => {
+                        card.fold_id().check(self.fold).with_context(|| format!("cannot measure {agent}"))?;
+                        self.tasks.check(card.without_dev, "paths")?;
+                    }
                     Weights::Dynamics => self.tasks.check_dynamics(&card)?,
                     Weights::Success | Weights::Paths => self.tasks.check(card.without_dev, "paths")?,
                     Weights::Dqn | Weights::None => {}
@@ -99,12 +104,26 @@ impl Settings {
                 AgentName::Random => true,
                 AgentName::Listed => self.measures(agent),
                 AgentName::Dqn => loaded.dqn.is_some(),
-                of_model => self.measures(of_model) && loaded.nets.is_some_and(|nets| of_model.check(nets).is_ok()),
+                of_model => {
+                    self.measures(of_model)
+                        && loaded.nets.is_some_and(|nets| of_model.check(nets).is_ok())
+                        && (is_of_fold || row(of_model).weights == Weights::Dynamics)
+                }
             };
             if is_measured {
                 let start =
                     |task: TaskId, scene: &Scene| agent.start(loaded, scene, task.seed(self.seed), MAX_ATTEMPTS);
                 report.agents.push(score(agent, start, self.engine, &tasks, progress)?);
+            }
+            if is_measured && agent.check_remembers().is_ok() {
+                let players = self.memory.iter().map(|&order| Player { agent, memory: Some(order) });
+                report.agents.extend(with_memory::scores(
+                    &players.collect::<Vec<_>>(),
+                    loaded,
+                    &tasks,
+                    self.seed,
+                    progress,
+                )?);
             }
         }
         Ok(report)
@@ -112,16 +131,7 @@ impl Settings {
 
     /// Whether an agent of a model is asked for.
     fn measures(&self, agent: AgentName) -> bool {
-        if self.agents.is_empty() {
-            !row(agent).on_request && self.may_measure(agent)
-        } else {
-            self.agents.contains(&agent)
-        }
-    }
-
-    /// Whether the nets of an agent may be new to the tasks. Only the dynamics net can be trained without any task.
-    fn may_measure(&self, agent: AgentName) -> bool {
-        self.tasks != TaskSet::All || matches!(row(agent).weights, Weights::Dynamics | Weights::None)
+        if self.agents.is_empty() { !row(agent).on_request } else { self.agents.contains(&agent) }
     }
 }
 
@@ -139,7 +149,7 @@ fn score(
         let played = chunk.par_iter().map(|&task| {
             let scene = Task::load(task)?.scene;
             let agent = start(task, &scene);
-            Ok((task, Turn::in_engine(scene, agent, engine).first_solved().expect("agents propose valid balls")))
+            Ok(Turn::in_engine(scene, agent, engine).first_solved().expect("agents propose valid balls"))
         });
         first_solved.extend(played.collect::<anyhow::Result<Vec<_>>>()?);
         progress.advance(chunk.len() as u64, format!("tasks attempted by {agent}"));

@@ -6,7 +6,6 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::Setup;
 use pathlight::puzzle::task::TaskId;
 use serde::Serialize;
@@ -15,8 +14,8 @@ use super::calibration::{Bin, Calibration};
 use super::report::Report;
 use super::shipped::Shipped;
 use crate::files::json_file;
-use crate::files::replace_file::replace_file;
 use crate::training::publish::{ModelEntry, ModelList};
+use pathlight::command_line::replace_file::replace_file;
 
 /// `results.json`.
 #[derive(Serialize)]
@@ -61,17 +60,13 @@ pub fn publish(shipped: &Shipped, compared: &impl Serialize) -> anyhow::Result<P
 fn results_of(shipped: &Shipped, ModelEntry { name, .. }: ModelEntry) -> anyhow::Result<ModelResults> {
     let (report, fold) = shipped.read::<Report>(&name)?;
     let (calibration, _) = shipped.read::<Calibration>(&name)?;
-    let label = |agent: AgentName| agent.to_string();
-    let first_solved = report
-        .agents
-        .iter()
-        .map(|score| (label(score.agent), score.first_solved.iter().map(|&(_, first)| first).collect()));
+    let first_solved = report.agents.iter().map(|score| (score.player.to_string(), score.first_solved.clone()));
     Ok(ModelResults {
         setup: report.setup,
         simulator: report.simulator,
         agents_version: report.agents_version,
         tasks: fold.tasks().test,
-        auccess: report.agents.iter().map(|score| (label(score.agent), score.auccess)).collect(),
+        auccess: report.agents.iter().map(|score| (score.player.to_string(), score.auccess)).collect(),
         first_solved: first_solved.collect(),
         calibration: [("random", calibration.random), ("candidates", calibration.candidates)].into(),
         name,

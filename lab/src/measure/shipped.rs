@@ -13,10 +13,8 @@ use pathlight::simulator;
 use serde::de::DeserializeOwned;
 
 use super::calibration::Calibration;
-use super::forecasts::Forecasts;
 use super::report::Report;
 use crate::files::json_file;
-use crate::files::quoted::quoted;
 
 /// What a command measures of a model, as its `--json` file has it.
 pub trait Measurement: DeserializeOwned {
@@ -28,8 +26,8 @@ pub trait Measurement: DeserializeOwned {
     /// How the model was trained, if one was measured.
     fn card(&self) -> Option<&Card>;
 
-    /// Whether it is of all these test tasks, of today's agents, and of this version of the simulator.
-    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool;
+    /// Whether it is of all these test tasks, and of today's agents and simulator.
+    fn is_whole(&self, test: &[TaskId]) -> bool;
 }
 
 impl Measurement for Report {
@@ -40,10 +38,11 @@ impl Measurement for Report {
         self.card.as_ref()
     }
 
-    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool {
+    fn is_whole(&self, test: &[TaskId]) -> bool {
         self.engine.is_first()
-            && (self.simulator, self.agents_version) == (simulator, agents::VERSION)
-            && self.is_of(test)
+            && (self.simulator, self.agents_version) == (simulator::VERSION, agents::VERSION)
+            && Report::is_whole(self)
+            && self.agents.iter().all(|score| score.first_solved.len() == test.len())
     }
 }
 
@@ -55,21 +54,8 @@ impl Measurement for Calibration {
         Some(&self.card)
     }
 
-    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool {
-        (self.simulator, self.agents_version, self.tasks) == (simulator, agents::VERSION, test.len())
-    }
-}
-
-impl Measurement for Forecasts {
-    const COMMAND: &'static str = "forecasts";
-    const SUFFIX: &'static str = "-forecasts";
-
-    fn card(&self) -> Option<&Card> {
-        Some(&self.card)
-    }
-
-    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool {
-        (self.simulator, self.tasks) == (simulator, test.len())
+    fn is_whole(&self, test: &[TaskId]) -> bool {
+        (self.simulator, self.agents_version, self.tasks) == (simulator::VERSION, agents::VERSION, test.len())
     }
 }
 
@@ -100,8 +86,8 @@ impl Shipped<'_> {
             M::COMMAND,
             fold.setup,
             fold.fold,
-            quoted(&weights),
-            quoted(&path)
+            weights.display(),
+            path.display()
         );
         let measured: M = json_file::read(&path, &command)?;
         ensure!(
@@ -109,7 +95,7 @@ impl Shipped<'_> {
             "{file} does not belong to the weights in {weights_name}: measure them again with `{command}`"
         );
         ensure!(
-            measured.is_whole(&fold.tasks().test, simulator::VERSION),
+            measured.is_whole(&fold.tasks().test),
             "{file} is not of all test tasks of its fold, or of another version: measure the model again with \
              `{command}`"
         );

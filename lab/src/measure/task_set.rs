@@ -6,8 +6,6 @@ use pathlight::nets::Card;
 use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Serialize};
 
-use crate::data::task_selection::TaskSelection;
-
 /// Tasks of the benchmark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -17,19 +15,12 @@ pub enum TaskSet {
     Test,
     /// The fold's dev tasks, to choose settings on.
     Dev,
-    /// All 2,500, for nets that have seen none of them.
-    All,
 }
 
 impl TaskSet {
     /// The heading of a report on this many of its tasks.
     pub fn heading(self, fold: FoldId, count: usize) -> String {
-        let FoldId { setup, fold } = fold;
-        let words = self.words();
-        match self {
-            TaskSet::Test | TaskSet::Dev => format!("{setup}, fold {fold}, {count} {words}"),
-            TaskSet::All => format!("all templates, {count} {words}"),
-        }
+        format!("{}, fold {}, {count} {}", fold.setup, fold.fold, self.words())
     }
 
     /// What they are, after their number.
@@ -37,7 +28,6 @@ impl TaskSet {
         match self {
             TaskSet::Test => "test tasks",
             TaskSet::Dev => "dev tasks",
-            TaskSet::All => "tasks",
         }
     }
 
@@ -46,7 +36,6 @@ impl TaskSet {
         let tasks = match self {
             TaskSet::Test => fold.tasks().test,
             TaskSet::Dev => fold.tasks().dev,
-            TaskSet::All => TaskSelection::default().ids().collect(),
         };
         let limit = limit.map_or(usize::MAX, usize::from);
         let templates = tasks.chunk_by(|a, b| a.template == b.template);
@@ -73,12 +62,6 @@ impl TaskSet {
     pub fn check_dynamics(self, card: &Card) -> anyhow::Result<()> {
         let dynamics = card.dynamics.as_ref();
         let without_dev = dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.random_scenes_alone);
-        self.check(without_dev, "dynamics")?;
-        ensure!(
-            self != TaskSet::All || dynamics.is_some_and(|dynamics| dynamics.random_scenes_alone),
-            "these nets were trained on some of the tasks, so --all-tasks would not measure what is new to them: train \
-             a dynamics net with `pathlight-lab train dynamics` on labels of random scenes alone"
-        );
-        Ok(())
+        self.check(without_dev, "dynamics")
     }
 }

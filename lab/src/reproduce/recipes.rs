@@ -1,39 +1,124 @@
-//! How the nets of the main results are trained.
+//! How each row of the results is made, as `lab/recipes.toml` says: by commands of this program.
 
-use pathlight::benchmark::folds::Setup;
-use pathlight::nets::{Optimiser, PathWeights};
+use std::path::Path;
 
-use crate::training::dynamics::DynamicsRecipe;
-use crate::training::settings::LabelsRecipe;
-use crate::training::{dqn, dynamics, success};
+use anyhow::{Context, ensure};
+use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::folds::{FoldId, Setup};
+use serde::Deserialize;
 
-/// The recipes of the nets of a fold that agents are measured with.
+use crate::measure::report::{Order, Player};
+
+/// The recipes of the results in the repository.
+pub const RECIPES: &str = include_str!("../../recipes.toml");
+
+/// The recipes, in the order of the table.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Recipes {
-    pub success: LabelsRecipe,
-    pub dynamics: DynamicsRecipe,
-    pub dqn: LabelsRecipe,
+    recipe: Vec<Recipe>,
+}
+
+/// How the results of a folder are made.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Recipe {
+    /// Of the folder of its results too.
+    pub name: String,
+    pub learns_from: String,
+    after: Option<String>,
+    #[serde(default)]
+    steps: Vec<String>,
+    #[serde(default)]
+    within: Vec<String>,
+    #[serde(default)]
+    cross: Vec<String>,
+    pub rows: Vec<Row>,
+}
+
+/// A row of the table.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Row {
+    agent: AgentName,
+    memory: Option<Order>,
+    pub title: String,
+}
+
+impl Row {
+    pub fn player(&self) -> Player {
+        Player { agent: self.agent, memory: self.memory }
+    }
 }
 
 impl Recipes {
-    /// The recipes of a setup, chosen on the dev tasks of its fold 0 (docs/experiments.md). The success net and the
-    /// dynamics net are trained alike, so the difference between them shows what imagining brings.
-    pub fn of(setup: Setup) -> Recipes {
-        let success = LabelsRecipe { optimiser: Optimiser::Muon, ..success::Settings::default().recipe };
-        let LabelsRecipe { batch, optimiser, learning_rate, balls_per_scene } = success;
-        let path_weights = match setup {
-            Setup::Within => PathWeights::default(),
-            Setup::Cross => PathWeights { all: 2.0, solving: 4.0 },
-        };
-        let dynamics = DynamicsRecipe {
-            batch,
-            optimiser,
-            learning_rate,
-            balls_per_scene,
-            path_weights,
-            ..dynamics::Settings::default().recipe
-        };
-        // Smaller batches than those of the other nets, so that a short training has more steps.
-        let dqn = LabelsRecipe { batch: 16, ..dqn::Settings::default().recipe };
-        Recipes { success, dynamics, dqn }
+    /// Reads recipes, like those of `RECIPES`.
+    ///
+    /// # Errors
+    /// If they are not such recipes.
+    pub fn parse(text: &str) -> anyhow::Result<Recipes> {
+        let recipes: Recipes = toml::from_str(text)?;
+        for Recipe { name, after, .. } in &recipes.recipe {
+            ensure!(
+                after.as_ref().is_none_or(|after| recipes.recipe.iter().any(|other| other.name == *after)),
+                "the recipe {name} comes after one that is not there"
+            );
+        }
+        Ok(recipes)
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = &Recipe> {
+        self.recipe.iter()
+    }
+
+    /// Finds a recipe by its name.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn named(&self, name: &str) -> anyhow::Result<&Recipe> {
+        let names = || self.iter().map(|recipe| recipe.name.as_str()).collect::<Vec<_>>().join(", ");
+        let found = self.iter().find(|recipe| recipe.name == name);
+        found.with_context(|| format!("there is no recipe {name}: name one of {}", names()))
+    }
+
+    /// The commands that make the results of a recipe in a setup, with what stands for fold and files in them.
+    pub fn steps(&self, recipe: &Recipe, setup: Setup) -> Vec<String> {
+        let of_setup = if setup == Setup::Within { &recipe.within } else { &recipe.cross };
+        let own = recipe.steps.iter().chain(of_setup).cloned();
+        let before = recipe.after.as_ref().and_then(|after| self.named(after).ok());
+        let before = before.into_iter().flat_map(|before| self.steps(before, setup));
+        before.filter(|step| !step.starts_with("measure ")).chain(own).collect()
+    }
+}
+
+/// The words of a step for a fold.
+pub fn words(step: &str, fold: FoldId, runs: &Path, result: &Path) -> Vec<String> {
+    let of = format!("--setup {} --fold {}", fold.setup, fold.fold);
+    let with_files = |word: &str| {
+        let word = word.replace("{fold}", &fold.to_string());
+        word.replace("{runs}", &runs.display().to_string()).replace("{result}", &result.display().to_string())
+    };
+    step.replace("{of}", &of).split_whitespace().map(with_files).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_of_the_recipe_before_come_first_without_its_measurement() {
+        let recipes = Recipes::parse(RECIPES).expect("our own");
+        let steps = |name: &str| recipes.steps(recipes.named(name).expect("ours"), Setup::Cross);
+        let (before, with_memory) = (steps("scenes"), steps("memory"));
+        assert_eq!(with_memory[..before.len() - 1], before[..before.len() - 1]);
+        assert!(with_memory.last().is_some_and(|step| step.contains("--memory")) && with_memory.len() == before.len());
+    }
+
+    #[test]
+    fn words_name_fold_and_files() {
+        let fold = FoldId { setup: Setup::Cross, fold: 3 };
+        let step = "measure evaluate {of} --weights {runs}/{fold}/w --json {result}";
+        let found = words(step, fold, Path::new("a folder"), Path::new("r.json")).join("|");
+        assert_eq!(found, "measure|evaluate|--setup|cross|--fold|3|--weights|a folder/cross-3/w|--json|r.json");
     }
 }

@@ -1,227 +1,223 @@
-//! The report on the existing results: `README.md` beside them.
+//! The table of all results, and below it each fold and template, and how each row was made: `README.md` beside them.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use std::path::Path;
 
 use pathlight::agents::agent_name::AgentName;
-use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess};
+use pathlight::benchmark::folds::FOLDS;
+use pathlight::puzzle::templates::TEMPLATES;
 
-use super::compared::{
-    AgentMean, Published, REPORTED, listed, mean_and_deviation, on_folds, online_with_other_data, our_means,
-};
-use super::fold_result::{FoldResult, Hyperparameters};
-use super::training_report;
-use crate::data::label::BALLS;
-use crate::files::replace_file::replace_file;
-use crate::measure::agents::row;
+use super::means::{auccess_by_template, mean, mean_and_deviation};
+use super::published::{BY_TEMPLATE, PUBLISHED, Published};
+use super::recipes::Recipes;
+use super::{COMMAND, Results};
 use crate::measure::report::score_cell;
 
-/// An agent, one that lacks a part of it, and the part.
-const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
-    (AgentName::Dynamics, AgentName::Success, "it imagines what a ball leads to"),
+/// Two players of a recipe, and what the first has and the second lacks.
+const PAIRS: [(AgentName, AgentName, &str); 2] = [
     (AgentName::Online, AgentName::Dynamics, "it is told how each attempt ended"),
     (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
 ];
 
-/// What the online agent is called if its net learned from other data than those of the main results.
-const OTHER_DATA: &str = "online, with proposed balls or random scenes";
-
-/// Writes the report to a folder, and returns it.
+/// The report on the results in a folder.
 ///
 /// # Errors
-/// If the results with other data are damaged, or the folder cannot be written.
-pub fn write(results: &[FoldResult], folder: &Path) -> anyhow::Result<String> {
+/// If results are damaged or do not belong together.
+pub fn text(folder: &Path, recipes: &Recipes) -> anyhow::Result<String> {
+    let results = Results::read(folder, recipes)?;
+    let setups: Vec<&[Results]> = results.chunks_exact(2).collect();
     let mut text = String::new();
-    let other_data = online_with_other_data(folder)?;
-    head(&mut text, results, &other_data, folder)?;
-    table(&mut text, results, &other_data, folder)?;
-    ablations(&mut text, results)?;
-    folds(&mut text, results)?;
-    training_report::write(&mut text, results)?;
-    data(&mut text, results)?;
-    reproducing(&mut text, results)?;
-    let path = folder.join("README.md");
-    replace_file(&path, text.as_bytes())?;
+    head(&mut text)?;
+    table(&mut text, &setups)?;
+    pairs(&mut text, &setups)?;
+    by_template(&mut text, &setups)?;
+    folds(&mut text, &setups)?;
+    made(&mut text, &setups)?;
     Ok(text)
 }
 
-fn head(
-    text: &mut String,
-    results: &[FoldResult],
-    other_data: &[Option<String>; 2],
-    folder: &Path,
-) -> anyhow::Result<()> {
-    let Some(FoldResult { hyperparameters, report, .. }) = results.first() else { return Ok(()) };
+fn head(text: &mut String) -> fmt::Result {
     writeln!(
         text,
         "# Results\n\n\
-         `pathlight-lab reproduce` printed this from the files beside it, one per setup and fold, and from those in \
-         `paper/`, `proposed-balls/` and `random-scenes/`, if they exist. Of the first, {} of {} exist. Seed \
-         {}, simulator {}, agents {}, at most {} test tasks per template.\n\n\
+         `{COMMAND}` wrote this from the files in the folders beside it, a folder for each recipe of \
+         [lab/recipes.toml](../lab/recipes.toml). [Results](../docs/results.md) says what follows from it.\n\n\
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
-         The nets here learn only from rollouts in training tasks, and from none whose ball was sampled around a \
-         solution of a test task.\n\n\
-         - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
-         similarity of imagined paths and of balls; **by balls**: by that of balls alone.\n\
-         - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
-         imagined.\n\
-         - **success net**: a net that sees only the scene ranks the balls. It is trained like the dynamics net.\n\
-         - **DQN, smaller**: the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n\
-         - **the paper's four nets**: those of Harter et al. (2020), trained jointly, with balls from their placement \
-         map{}.\n",
-        results.len(),
-        2 * FOLDS,
-        hyperparameters.seed,
-        report.simulator,
-        report.agents_version,
-        hyperparameters.limit,
-        if folder.join("paper").exists() {
-            ". [Their own table](paper/README.md) says how they were trained"
-        } else {
-            ""
-        },
+         Cells are means over folds ± standard deviation. Nets learn from training tasks of their fold, if not more is \
+         said, and from no ball that was sampled around a solution of a test task."
+    )
+}
+
+fn table(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
+    writeln!(
+        text,
+        "\n## Auccess\n\n| agent | learns from | within | cross | simulator |\n| --- | --- | ---: | ---: | ---: |"
     )?;
-    if other_data.iter().any(Option::is_some) {
+    for results in setups {
+        let recipe = results[0].recipe;
+        for (index, row) in recipe.rows.iter().enumerate() {
+            let cells = results.iter().map(|results| {
+                let count = results.firsts(row.player()).count();
+                let part = if (1..usize::from(FOLDS)).contains(&count) {
+                    format!(" ({count} of {FOLDS} folds)")
+                } else {
+                    String::new()
+                };
+                mean(results, row.player()) + &part
+            });
+            let cells: Vec<String> = cells.collect();
+            let (title, learns_from) = match index {
+                0 => (format!("**{}**", row.title), recipe.learns_from.as_str()),
+                _ => (row.title.clone(), ""),
+            };
+            writeln!(text, "| {title} | {learns_from} | {} | {} |", cells.join(" | "), versions(results))?;
+        }
+    }
+    for published in &PUBLISHED {
+        let Published { auccess: [within, cross], .. } = published;
+        writeln!(text, "| {} | | {within} | {cross} | PHYRE's |", published.label())?;
+    }
+    writeln!(
+        text,
+        "\nSimulator 4 is PHYRE's physics to the bit, simulator 3 agreed with 98.8 % of its stable solutions. RAND plays \
+         one list of balls on all tasks: that ours scores the same shows that scenes, valid balls, physics, folds and \
+         metric are PHYRE's. The paper's means are over templates; so taken, ours are {} within and {} cross. An agent \
+         with a memory keeps what it learned at one test task for the next, as PHYRE's DQN-O does (56.2 cross): do not \
+         compare it with agents that start each task afresh.",
+        paper(setups, 0),
+        paper(setups, 1)
+    )
+}
+
+/// The versions of the simulator that results were made in.
+fn versions(results: &[Results]) -> String {
+    let mut versions: Vec<String> =
+        results.iter().filter_map(|results| Some(results.reports.first()?.simulator.to_string())).collect();
+    versions.dedup();
+    versions.join(", ")
+}
+
+/// The mean over templates of the paper's nets.
+fn paper(setups: &[&[Results]], setup: usize) -> String {
+    let Some(results) = setups.iter().find(|results| results[0].recipe.name == "paper") else {
+        return "–".to_string();
+    };
+    let player = results[setup].recipe.rows[0].player();
+    let firsts = TEMPLATES.iter().map(|template| results[setup].of_template(player, template.number));
+    let scores: Vec<f64> = firsts.filter(|firsts| !firsts.is_empty()).map(|firsts| auccess(&firsts)).collect();
+    match scores.len() {
+        0 => "–".to_string(),
+        count => format!("{:.1}", scores.iter().sum::<f64>() / count as f64),
+    }
+}
+
+/// What a part of the agent brings, by paired differences: two agents meet the same tasks in a fold, so that their
+/// difference varies less over the folds than their scores.
+fn pairs(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
+    writeln!(
+        text,
+        "\n## What the parts bring\n\nThe difference of two agents' auccess on the same fold: mean ± standard deviation, \
+         and the folds on which it is positive.\n\n| recipe | difference | what the first has and the second lacks | \
+         within | cross |\n| --- | --- | --- | ---: | ---: |"
+    )?;
+    for results in setups {
+        for (one, other, part) in PAIRS {
+            let cells = results.iter().map(|results| {
+                let both = results.firsts(one.into()).zip(results.firsts(other.into()));
+                let differences: Vec<f64> = both.map(|(one, other)| auccess(one) - auccess(other)).collect();
+                let positive = differences.iter().filter(|&&difference| difference > 0.0).count();
+                match differences.len() {
+                    0 => "–".to_string(),
+                    count => format!("{}, {positive} of {count}", mean_and_deviation(&differences)),
+                }
+            });
+            let cells: Vec<String> = cells.collect();
+            if cells.iter().any(|cell| cell != "–") {
+                let name = &results[0].recipe.name;
+                writeln!(text, "| {name} | {one} – {other} | {part} | {} |", cells.join(" | "))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn by_template(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
+    for (setup, published) in BY_TEMPLATE.iter().enumerate() {
+        let names: Vec<&str> = setups.iter().map(|results| results[0].recipe.name.as_str()).collect();
         writeln!(
             text,
-            "**{OTHER_DATA}**: within, its net also learned from [balls that a net \
-             proposed](proposed-balls/README.md); in cross, it learned from [random scenes](random-scenes/README.md) \
-             alone. It was trained longer than the nets below it.\n"
+            "\n## By template, {}\n\nAuccess over the tasks of all folds that test a template, of the first agent of \
+             each recipe; of the paper's nets as published, too.\n\n| template | {} | published |\n| --- |{}",
+            setups[0][setup].setup,
+            names.join(" | "),
+            " ---: |".repeat(names.len() + 1)
+        )?;
+        let columns: Vec<Vec<String>> = setups
+            .iter()
+            .map(|results| auccess_by_template(&results[setup], results[setup].recipe.rows[0].player()))
+            .collect();
+        for ((index, template), published) in TEMPLATES.iter().enumerate().zip(published.split_whitespace()) {
+            let cells: Vec<&str> = columns.iter().map(|column| column[index].as_str()).collect();
+            writeln!(text, "| {:05} {} | {} | {published} |", template.number, template.name, cells.join(" | "))?;
+        }
+    }
+    Ok(())
+}
+
+fn folds(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
+    writeln!(
+        text,
+        "\n## Each fold\n\nAuccess, and the percentage of the test tasks solved at the first attempt / within 10 / \
+         within 100.\n"
+    )?;
+    for results in setups {
+        for row in &results[0].recipe.rows {
+            let named = format!("{}: {}", results[0].recipe.name, row.player());
+            writeln!(text, "| {named} | within | cross |\n| ---: | ---: | ---: |")?;
+            for fold in 0..FOLDS {
+                let cell = |results: &Results| {
+                    let report = results.reports.iter().find(|report| report.fold == fold);
+                    report.and_then(|report| report.first_solved(row.player())).map_or("–".to_string(), score_cell)
+                };
+                writeln!(text, "| {fold} | {} | {} |", cell(&results[0]), cell(&results[1]))?;
+            }
+            writeln!(text)?;
+        }
+    }
+    Ok(())
+}
+
+/// How each row was made, and what that costs.
+fn made(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
+    writeln!(
+        text,
+        "## How they were made\n\nBy these commands, each continuing where it was interrupted; {{of}} stands for \
+         `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median over folds, without what \
+         another result had made before."
+    )?;
+    for results in setups.iter().flat_map(|results| results.iter()) {
+        let Some(report) = results.reports.first() else { continue };
+        let mut minutes: Vec<f64> = results.reports.iter().filter_map(|report| report.core_minutes).collect();
+        minutes.sort_by(f64::total_cmp);
+        let cost = minutes.get(minutes.len() / 2).map_or(String::new(), |cost| format!(", {cost:.0} core-minutes"));
+        writeln!(
+            text,
+            "\n**{}, {}**: seed {}, simulator {}, agents {}{cost}. Fold {}: {}.{}\n\n```\n{}\n```",
+            results.recipe.name,
+            results.setup,
+            report.seed,
+            report.simulator,
+            report.agents_version,
+            report.fold,
+            if report.trainings().is_empty() {
+                "nothing is learned".to_string()
+            } else {
+                report.trainings().join("; ")
+            },
+            if results.is_of_today { "" } else { " An earlier recipe made it; that of today has not been run." },
+            report.made_by.join("\n")
         )?;
     }
     Ok(())
-}
-
-/// The mean of each agent over the folds, and what was published.
-fn table(
-    text: &mut String,
-    results: &[FoldResult],
-    other_data: &[Option<String>; 2],
-    folder: &Path,
-) -> anyhow::Result<()> {
-    writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
-    writeln!(text, "| agent | simulator | within | cross |\n| --- | --- | ---: | ---: |")?;
-    if other_data.iter().any(Option::is_some) {
-        let [within, cross] = other_data.each_ref().map(|auccess| auccess.as_deref().unwrap_or("–"));
-        writeln!(text, "| **{OTHER_DATA}** | ours | {within} | {cross} |")?;
-    }
-    let listed = listed(folder)?;
-    let plays_the_same_list = listed.is_some();
-    for AgentMean { agent, auccess: [within, cross] } in our_means(results).into_iter().chain(listed) {
-        writeln!(text, "| **{}** | ours | {within} | {cross} |", row(agent).label)?;
-    }
-    for (label, Published { auccess: [within, cross], .. }) in REPORTED {
-        writeln!(text, "| {label} | PHYRE's | {within} | {cross} |")?;
-    }
-    let folds = [Setup::Within, Setup::Cross].map(|setup| numbers(setup, &mut of(results, setup)));
-    writeln!(
-        text,
-        "\nOur folds: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
-         RAND, which plays one list of actions on all tasks, by the benchmark.{}",
-        folds.join("; "),
-        if plays_the_same_list {
-            " Ours plays the same list: that it scores the same shows that scenes, valid balls, physics, folds and \
-             metric are PHYRE's."
-        } else {
-            ""
-        }
-    )?;
-    Ok(())
-}
-
-/// What each part of the agent brings, by paired differences: two agents meet the same tasks in a fold, so that their
-/// difference varies less over the folds than their scores.
-fn ablations(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
-    writeln!(
-        text,
-        "\n## Ablations\n\nThe paired difference of two agents' auccess, which is that on the same fold: mean ± \
-         standard deviation, and the folds on which it is positive.\n"
-    )?;
-    writeln!(
-        text,
-        "| paired difference | what the first has and the second lacks | within | cross |\n| --- | --- | ---: | ---: |"
-    )?;
-    for (agent, without, part) in ABLATIONS {
-        let cells = [Setup::Within, Setup::Cross].map(|setup| {
-            let score = |result: &FoldResult, agent| result.report.score(agent).map(|[auccess, ..]| auccess);
-            let of_fold = |result| Some(score(result, agent)? - score(result, without)?);
-            let differences: Vec<f64> = of(results, setup).filter_map(of_fold).collect();
-            let positive = differences.iter().filter(|&&difference| difference > 0.0).count();
-            format!("{}, {positive} of {}", mean_and_deviation(&differences), differences.len())
-        });
-        writeln!(text, "| {} – {} | {part} | {} | {} |", row(agent).label, row(without).label, cells[0], cells[1])?;
-    }
-    Ok(())
-}
-
-/// Names the folds of some results of a setup.
-fn numbers(setup: Setup, results: &mut dyn Iterator<Item = &FoldResult>) -> String {
-    let numbers: Vec<String> = results.map(|result| result.report.fold.to_string()).collect();
-    format!("{setup} {}", if numbers.is_empty() { "none".to_string() } else { numbers.join(", ") })
-}
-
-fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
-    writeln!(
-        text,
-        "\n## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
-    )?;
-    let names: Vec<&str> = on_folds().map(|agent| agent.label).collect();
-    let columns = " ---: |".repeat(2 + names.len());
-    writeln!(text, "| setup | fold | test tasks | {} |\n| --- |{columns}", names.join(" | "))?;
-    for result in results {
-        let cells = on_folds().map(|agent| result.report.score(agent.agent).map_or("–".to_string(), score_cell));
-        let cells: Vec<String> = cells.collect();
-        let tasks = result.report.first_solved(AgentName::Random, None).len();
-        writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
-    }
-    Ok(())
-}
-
-/// How many solutions of the tasks are known, and the files that the results were made from.
-fn data(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
-    let Some(FoldResult { hyperparameters, solutions, dynamics, .. }) = results.first() else { return Ok(()) };
-    writeln!(
-        text,
-        "\n## Data\n\nBalls were labelled in {} rounds, {BALLS} per task and round, half of them around known \
-         solutions. SHA-256 of the file of solutions: `{}`, of the file of balls: `{}`.",
-        hyperparameters.label_rounds, solutions, dynamics.data,
-    )?;
-    Ok(())
-}
-
-fn reproducing(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
-    let mut command = "pathlight-lab reproduce".to_string();
-    if let Some(FoldResult { hyperparameters, .. }) = results.first() {
-        let [used, default] = [hyperparameters, &Hyperparameters::default()].map(serde_json::to_value);
-        let default = default?;
-        for (key, value) in used?.as_object().into_iter().flatten().filter(|(key, value)| default[*key] != **value) {
-            write!(command, " --{} {value}", key.replace('_', "-"))?;
-        }
-    }
-    write!(
-        text,
-        "
-## Reproducing
-
-Run `make build` first. Each command continues where it was interrupted; settings other than the defaults (`--help`)
-need other folders (`--results`, `--train-dir`).
-
-```
-{command}                             # data, all twenty folds, report
-{command} --setup within --fold 3     # data if missing, one fold, report
-{command} --only report               # this file and costs.md
-```
-
-Folds only read the shared data files, so up to twenty processes can run in parallel, on all machines that share
-the folder. `scripts/cluster/submit FOLDER` submits the whole chain to Slurm, from the search for solutions to the
-report, as arrays of jobs that each wait for the one before. `costs.md` says what that takes.
-"
-    )?;
-    Ok(())
-}
-
-/// The results of a setup.
-pub fn of(results: &[FoldResult], setup: Setup) -> impl Iterator<Item = &FoldResult> {
-    results.iter().filter(move |result| result.report.setup == setup)
 }

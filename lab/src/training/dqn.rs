@@ -57,12 +57,12 @@ impl Settings {
             optimiser,
             learning_rate,
             balls: scenes.balls(),
-            variants: scenes.variants(),
+            variants: 0,
             without_dev: self.without_dev,
         };
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dqn"));
         let trainer = Trainer::<Dqn>::new(self.run.seed).with_optimiser(optimiser);
-        let mut run = TrainingRun::open(folder, card, Inputs::of(&self.labels)?, &["dqn"], trainer)?;
+        let mut run = TrainingRun::open(folder, card, Inputs::of(&self.labels)?, &["dqn"], trainer, progress)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,

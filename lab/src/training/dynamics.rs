@@ -33,8 +33,6 @@ pub struct Settings {
     pub recipe: DynamicsRecipe,
     /// Leave the fold's dev tasks out, so that settings may be chosen on them.
     pub without_dev: bool,
-    /// Learn chances alone, not the paths, to measure what these bring; such weights cannot be published.
-    pub without_paths: bool,
     /// Start from the dynamics net of these weights, not from fresh weights.
     pub from: Option<PathBuf>,
     pub run: RunSettings,
@@ -81,7 +79,6 @@ impl Default for Settings {
             epochs: 100,
             recipe: DynamicsRecipe::default(),
             without_dev: false,
-            without_paths: false,
             from: None,
             run: RunSettings::default(),
         }
@@ -105,7 +102,6 @@ impl Settings {
         let (mut nets, mut card) = load_nets(Some(&weights), self.fold)?;
         let without_dev = self.without_dev || card.without_dev;
         let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
-        ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
         let from = self.from.as_deref().map(|path| self.dynamics_of(path, without_dev)).transpose()?;
         let starts_without_tasks = from.as_ref().is_none_or(|(_, card)| card.random_scenes_alone);
         card.success = None;
@@ -120,13 +116,13 @@ impl Settings {
             path_weights,
             balls: scenes.balls(),
             coverage: true,
-            variants: scenes.variants(),
-            blends: scenes.blends(),
+            variants: 0,
+            blends: 0,
             unlisted: scenes.unlisted(),
             random_scenes: scenes.random(),
             random_scenes_alone: scenes.are_random() && starts_without_tasks,
             without_dev,
-            without_paths: self.without_paths,
+            without_paths: false,
             from: self.from.as_deref().map(digest).transpose()?,
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
@@ -137,13 +133,12 @@ impl Settings {
         let trainer = trainer.with_optimiser(optimiser);
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
         let inputs = Inputs::of(&self.labels)?.added_to(&weights)?;
-        let mut run = TrainingRun::open(folder, card, inputs, &losses, trainer)?;
-        let paths = (!self.without_paths).then_some(path_weights);
+        let mut run = TrainingRun::open(folder, card, inputs, &losses, trainer, progress)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,
             |number| self.batch(&scenes, number),
-            |trainer, batch, learning_rate| trainer.step(batch, paths, learning_rate),
+            |trainer, batch, learning_rate| trainer.step(batch, Some(path_weights), learning_rate),
             progress,
         )?;
         if !complete {

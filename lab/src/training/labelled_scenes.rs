@@ -16,8 +16,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::training_run::Plan;
-use crate::data::label::{Labelled, read_labels};
-use crate::data::label_use::{Choice, LabelOrigin, may_learn};
+use crate::data::label::read_labels;
+use crate::data::label_use::{LabelOrigin, may_learn};
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
 use crate::data::scene_id::SceneId;
 
@@ -31,7 +31,7 @@ pub struct LabelledScene {
     pub starts: Starts,
     /// Each with whether it solves the task.
     pub balls: Vec<(Ball, bool)>,
-    /// `PATHS_LEN` bytes for each ball; fewer if balls came without their paths.
+    /// `PATHS_LEN` bytes for each ball.
     paths: Vec<u8>,
 }
 
@@ -65,10 +65,9 @@ impl LabelledScene {
     fn add(&mut self, LabelledBalls { solved, failed, siblings, paths, .. }: LabelledBalls, tasks: &[TaskId]) {
         let balls = solved.into_iter().map(|ball| (ball, true)).chain(failed.into_iter().map(|ball| (ball, false)));
         for (index, ball) in balls.enumerate() {
-            let sibling = siblings.get(index).copied().flatten();
-            if sibling.is_none_or(|task| tasks.binary_search(&task).is_ok()) {
+            if siblings[index].is_none_or(|task| tasks.binary_search(&task).is_ok()) {
                 self.balls.push(ball);
-                self.paths.extend(paths.0.chunks_exact(PATHS_LEN).nth(index).into_iter().flatten());
+                self.paths.extend_from_slice(&paths.0[index * PATHS_LEN..][..PATHS_LEN]);
             }
         }
     }
@@ -100,32 +99,19 @@ pub fn training_tasks(fold: FoldId, without_dev: bool) -> Vec<TaskId> {
     if without_dev { tasks.train } else { tasks.all_train() }
 }
 
-/// Whether a net that is trained on these tasks may learn from a scene: from these tasks, their variants, blends of
-/// two of them, unlisted tasks of their templates, and random scenes.
+/// Whether a net that is trained on these tasks may learn from a scene: from these tasks, unlisted tasks
+/// of their templates, and random scenes.
 fn trains_on(scene: SceneId, tasks: &[TaskId]) -> bool {
-    let is_one = |task| tasks.binary_search(&task).is_ok();
     match scene {
-        SceneId::Task(task) | SceneId::Variant(task, _) => is_one(task),
-        SceneId::Blend(first, second, _) => is_one(first) && is_one(second),
+        SceneId::Task(task) => tasks.binary_search(&task).is_ok(),
         SceneId::Unlisted(template, _) => tasks.iter().any(|task| task.template == template),
         SceneId::Random(_) => true,
     }
 }
 
-/// Returns where the balls of a file come from.
-fn origin(labelled: &Labelled) -> LabelOrigin {
-    let tells_siblings = |line: &LabelledBalls| line.siblings.len() == line.count();
-    let choice = match labelled.proposer {
-        Some(proposer) => Choice::Proposed(proposer),
-        None => Choice::Sampled { tells_siblings: labelled.lines.iter().all(tells_siblings) },
-    };
-    let training_tasks_of = labelled.training_tasks_of.map(|(setup, fold)| FoldId { setup, fold });
-    LabelOrigin { training_tasks_of, choice }
-}
-
 impl LabelledScenes {
-    /// Reads files of `data label`. Leaves out blends and unlisted tasks that no ball solves, because the benchmark
-    /// lists no such tasks.
+    /// Reads files of `data label`. Leaves out unlisted tasks that no ball solves, because the benchmark lists no such
+    /// tasks.
     ///
     /// # Errors
     /// If a file cannot be used, may reveal the fold's test tasks, or none has balls that a net of it may learn from.
@@ -140,7 +126,9 @@ impl LabelledScenes {
                 "{} ends within a round: let `pathlight-lab data label` finish it",
                 path.display()
             );
-            may_learn(origin(&labelled), fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
+            let training_tasks_of = labelled.training_tasks_of.map(|(setup, fold)| FoldId { setup, fold });
+            let origin = LabelOrigin { training_tasks_of, proposer: labelled.proposer };
+            may_learn(origin, fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
             for line in labelled.lines {
                 if trains_on(line.scene, &tasks) && line.count() > 0 {
                     let scene = match scenes.entry(line.scene) {
@@ -152,7 +140,7 @@ impl LabelledScenes {
             }
         }
         let is_solved = |scene: &LabelledScene| scene.balls.iter().any(|&(_, solves)| solves);
-        scenes.retain(|id, scene| !matches!(id, SceneId::Blend(..) | SceneId::Unlisted(..)) || is_solved(scene));
+        scenes.retain(|id, scene| !matches!(id, SceneId::Unlisted(..)) || is_solved(scene));
         ensure!(
             !scenes.is_empty(),
             "the labels hold no balls of the training tasks of {fold}: label all templates, in one round at least"
@@ -160,14 +148,13 @@ impl LabelledScenes {
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
 
-    /// These scenes, for a net whose card does not count blends, unlisted tasks and random scenes.
+    /// These scenes, for a net whose card does not count unlisted tasks and random scenes.
     ///
     /// # Errors
     /// If the labels hold any.
     pub fn of_tasks(self) -> anyhow::Result<LabelledScenes> {
         let only_dynamics = "only the dynamics net learns from those";
         ensure!(self.random() == 0, "the labels hold balls in random scenes: {only_dynamics}");
-        ensure!(self.blends() == 0, "the labels hold balls in blends: {only_dynamics}");
         ensure!(self.unlisted() == 0, "the labels hold balls in unlisted tasks: {only_dynamics}");
         Ok(self)
     }
@@ -175,16 +162,6 @@ impl LabelledScenes {
     /// The number of balls.
     pub fn balls(&self) -> usize {
         self.0.iter().map(|scene| scene.balls.len()).sum()
-    }
-
-    /// How many of the scenes are variants of tasks' scenes.
-    pub fn variants(&self) -> usize {
-        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Variant(..))).count()
-    }
-
-    /// How many of the scenes are blends of two tasks' scenes.
-    pub fn blends(&self) -> usize {
-        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Blend(..))).count()
     }
 
     /// How many of the scenes are those of unlisted tasks.
@@ -200,11 +177,6 @@ impl LabelledScenes {
     /// Whether all scenes are random.
     pub fn are_random(&self) -> bool {
         self.random() == self.0.len()
-    }
-
-    /// Whether every ball has its paths.
-    pub fn have_paths(&self) -> bool {
-        self.0.iter().all(|scene| scene.paths.len() == scene.balls.len() * PATHS_LEN)
     }
 
     /// The number of batches that take every scene once.
@@ -259,15 +231,6 @@ mod tests {
                 assert!(tests.iter().all(|task| kept.contains(&task.template)), "{fold}");
             }
         }
-    }
-
-    #[test]
-    fn a_net_learns_from_blends_of_two_training_tasks_alone() {
-        let tasks = ["00002:007", "00002:011"].map(|id| id.parse().expect("an id"));
-        let test = "00002:009".parse().expect("an id");
-        assert!(trains_on(SceneId::Blend(tasks[0], tasks[1], 0), &tasks));
-        assert!(!trains_on(SceneId::Blend(tasks[0], test, 0), &tasks));
-        assert!(!trains_on(SceneId::Blend(test, tasks[1], 0), &tasks));
     }
 
     #[test]

@@ -7,8 +7,11 @@ use anyhow::ensure;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{PathsBatch, Sample, Schedule, Trainer};
 use pathlight::nets::{Card, PathNet};
+use pathlight::puzzle::action::{Ball, Invalid};
+use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
-use pathlight::simulator;
+use pathlight::raster::{ball_image, path_image, scene_channels};
+use pathlight::simulator::{self, simulate};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -18,7 +21,6 @@ use super::labelled_scenes::training_tasks;
 use super::settings::{PathsRecipe, RunSettings};
 use super::training_run::{Inputs, Plan, TrainingRun};
 use crate::data::collect::{Collected, SOLUTIONS, read_solutions};
-use crate::data::samples::sample;
 use crate::data::solutions::Solution;
 use crate::files::weights_file::training_folder;
 use crate::progress::Progress;
@@ -62,7 +64,8 @@ impl Settings {
         let (solutions, card) = self.solutions()?;
         let trainer = Trainer::<PathNet>::new(self.run.seed);
         let inputs = Inputs::of(slice::from_ref(&self.solutions))?;
-        let mut run = TrainingRun::open(folder, card, inputs, &["base", "target", "action", "placement"], trainer)?;
+        let mut run =
+            TrainingRun::open(folder, card, inputs, &["base", "target", "action", "placement"], trainer, progress)?;
         progress.say(&format!("making training images of {} solutions", solutions.len()));
         let samples = solutions
             .par_iter()
@@ -137,4 +140,20 @@ impl Settings {
         };
         Ok((chosen, card))
     }
+}
+
+/// Returns the sample of a ball that solves a scene, from two rollouts: one without the ball and one with it.
+///
+/// # Errors
+/// If the ball may not be placed in the scene.
+pub fn sample(scene: &Scene, ball: Ball) -> Result<Sample, Invalid> {
+    let (without, with) = (simulate(scene, None)?, simulate(scene, Some(ball))?);
+    let object = &scene.bodies[scene.body1];
+    let targets = [
+        path_image(object, &without, scene.body1),
+        path_image(object, &with, scene.body1),
+        path_image(&ball.body(), &with, scene.bodies.len()),
+        ball_image(ball),
+    ];
+    Ok(Sample { scene: scene_channels(scene), targets })
 }

@@ -12,7 +12,7 @@ use pathlight::nets::PathNet;
 use serde::{Deserialize, Serialize};
 
 use crate::files::digest;
-use crate::files::replace_file::replace_file;
+use pathlight::command_line::replace_file::replace_file;
 
 /// `model.json`.
 #[derive(Serialize, Deserialize)]
@@ -41,12 +41,6 @@ pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf
     for path in weights {
         let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
         let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {}", path.display()))?;
-        ensure!(
-            !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.without_paths),
-            "{} was trained with --without-paths, so the page would show paths that mean nothing: train it without \
-             that option",
-            path.display()
-        );
         let copy = assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
         ensure!(
             copies.iter().all(|(other, _)| *other != copy),

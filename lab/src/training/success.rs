@@ -68,7 +68,7 @@ impl Settings {
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("success"));
         let trainer = Trainer::<SuccessNet>::new(self.run.seed).with_optimiser(optimiser);
         let inputs = Inputs::of(slice::from_ref(&self.labels))?.added_to(&weights)?;
-        let mut run = TrainingRun::open(folder, card, inputs, &["success"], trainer)?;
+        let mut run = TrainingRun::open(folder, card, inputs, &["success"], trainer, progress)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,

@@ -21,8 +21,8 @@ use super::settings::RunSettings;
 use crate::files::differences::differences;
 use crate::files::digest;
 use crate::files::file_lock::lock;
-use crate::files::replace_file::replace_file;
 use crate::progress::Progress;
+use pathlight::command_line::replace_file::replace_file;
 
 const NETS: &str = "-checkpoint-nets.bpk";
 const OPTIMISER: &str = "-checkpoint-optimiser.bpk";
@@ -46,8 +46,7 @@ pub struct Checkpoint<C = Card> {
     pub card: C,
     /// SHA-256 of each file of training data, separated by spaces.
     pub data: String,
-    /// SHA-256 of the weights that the nets are added to, if they are added to any. Absent in older files.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// SHA-256 of the weights that the nets are added to, if they are added to any.
     pub added_to: Option<String>,
     /// Batches trained on.
     pub done: usize,
@@ -94,19 +93,21 @@ pub struct Plan {
 }
 
 impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
-    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `inputs` are the digests of
+    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. While another process trains there,
+    /// this one waits. `inputs` are the digests of
     /// the files that the run reads, `losses` the names of the losses of a step.
     ///
     /// # Errors
-    /// If the folder holds another run, is used by another process, or cannot be written.
+    /// If the folder holds another run, or cannot be written.
     pub fn open(
         folder: PathBuf,
         card: C,
         Inputs { data, added_to }: Inputs,
         losses: &[&str],
         trainer: Trainer<M>,
+        progress: &mut dyn Progress,
     ) -> anyhow::Result<TrainingRun<M, C>> {
-        let lock = lock(&folder.join(LOCK))?;
+        let lock = lock(&folder.join(LOCK), progress)?;
         let losses = losses.iter().map(ToString::to_string).collect();
         let fresh = Checkpoint { card, data, added_to, done: 0, seconds: 0.0, losses, log: Vec::new() };
         let name = folder.display();
@@ -119,7 +120,7 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
             Some(found) if found.data != fresh.data => {
                 bail!("{name} holds a run on other data: use another folder, or remove this one")
             }
-            Some(found) if found.added_to.is_some() && found.added_to != fresh.added_to => {
+            Some(found) if found.added_to != fresh.added_to => {
                 bail!("{name} holds a run with other --weights: use another folder, or remove this one")
             }
             Some(found) => {

@@ -97,12 +97,7 @@ fn what_cannot_be_measured_or_found_is_refused() {
     let evaluation = "cross-0.json is not of all test tasks of its fold, or of another version";
     refused("cross-0.json", |one| one["engine"] = "rapier".into(), evaluation);
     refused("cross-0.json", |one| one["agents"][0]["first_solved"] = Vec::<Value>::new().into(), evaluation);
-    let one_fold = folder.path().join("main");
-    fs::create_dir(&one_fold).expect("a folder");
-    fs::copy(root("results/within-0.json"), one_fold.join("within-0.json")).expect("a copy");
-    let main = one_fold.display().to_string();
-    assert_refused(&[&publish[..], &["--main", &main]].concat(), "has no result on all test tasks of within-1");
-    assert_refused(&["measure", "calibration", "--json", &main], "cannot write ");
+    assert_refused(&["measure", "calibration", "--json", &path], "cannot write ");
     output_of(&publish);
     changed_weights(&folder.path().join("within-0.safetensors"), |_, card| card.epochs += 1);
     assert_refused(&publish, "within-0.json does not belong to the weights");

@@ -16,8 +16,7 @@ fn collect(out: &Path, cores: &str, more: &[&str]) -> String {
     let few = ["--template", "2", "--limit", "20", "--per-task", "2"];
     let mut command = pathlight_lab();
     command.args(["data", "collect"]).args(few).args(more).arg("--out").arg(out);
-    let run = command.env("RAYON_NUM_THREADS", cores).output();
-    let run = run.expect("the binary runs");
+    let run = command.env("RAYON_NUM_THREADS", cores).output().expect("the binary runs");
     assert!(run.status.success(), "{run:?}");
     fs::read_to_string(out).expect("the file is there")
 }
@@ -60,7 +59,7 @@ fn a_byte_order_mark_is_skipped_and_utf16_is_named() {
     let label = ["data", "label", "--template", "2", "--limit", "2", "--rounds", "1", "--out", &out, "--solutions"];
     output_of(&[&label[..], &[&marked]].concat());
     fs::write(&utf16, whole.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>()).expect("written");
-    for command in [&["data", "collect", "--out"][..], &["data", "merge", "--out", &out], &label] {
+    for command in [&["data", "collect", "--out"][..], &label] {
         assert_refused(&[command, &[&utf16]].concat(), "this is UTF-16: save it as UTF-8");
     }
 }

@@ -26,7 +26,7 @@ fn solved_and_missed_balls_are_counted_and_imagined_better_than_at_rest() {
 }
 
 #[test]
-fn scenes_of_other_kinds_are_measured_too() {
+fn random_scenes_are_measured_too() {
     let counts = |table: &str| {
         let balls = |name: &str| {
             let line = table.lines().find_map(|line| line.strip_prefix(name)).expect("a row");
@@ -38,14 +38,6 @@ fn scenes_of_other_kinds_are_measured_too() {
     let (solved, missed) = counts(&random);
     assert!(random.contains("12 random scenes, 3 random balls each and solutions"), "{random}");
     assert!(solved > 0 && missed <= 12 * 3 && solved + missed >= 12 * 3, "{random}");
-    let variants = output_of(&["measure", "forecasts", "--variants", "--limit", "1", "--balls", "2"]);
-    assert!(variants.contains("25 variants of test tasks"), "{variants}");
-    let chances = output_of(&["measure", "calibration", "--random-scenes", "5", "--balls", "4"]);
-    assert!(chances.contains("5 random scenes"), "{chances}");
-    let balls: usize =
-        chances.lines().skip(2).filter_map(|line| line.split_whitespace().nth(4)?.parse::<usize>().ok()).sum();
-    assert_eq!(balls, 5 * 4, "{chances}");
-    assert_refused(&["measure", "forecasts", "--random-scenes", "2", "--json", "file"], "cannot be used with");
 }
 
 #[test]
@@ -60,11 +52,8 @@ fn dev_tasks_are_for_nets_that_have_not_learned_from_them() {
     let weights = changed_weights(&folder.path().join("without-dev"), |_, card| {
         card.dynamics.as_mut().expect("a dynamics net").without_dev = true;
     });
-    for measurement in ["forecasts", "calibration"] {
-        let dev = ["measure", measurement, "--dev", "--limit", "1", "--balls", "2"];
-        let table = output_of(&[&dev[..], &["--weights", &weights]].concat());
-        assert!(table.contains("25 dev tasks"), "{table}");
-        assert_refused(&dev, "were trained on the dev tasks too");
-        assert_refused(&[&dev[..], &["--json", "file"]].concat(), "cannot be used with");
-    }
+    let dev = ["measure", "forecasts", "--dev", "--limit", "1", "--balls", "2"];
+    let table = output_of(&[&dev[..], &["--weights", &weights]].concat());
+    assert!(table.contains("25 dev tasks"), "{table}");
+    assert_refused(&dev, "were trained on the dev tasks too");
 }

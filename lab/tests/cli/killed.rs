@@ -10,11 +10,13 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::Instant;
 
+use pathlight_lab::measure::report::Report;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use tempfile::tempdir;
 
 use super::label::label;
+use super::reproduce::small_recipes;
 use super::{assert_refused, output_of, pathlight_lab};
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
@@ -103,17 +105,13 @@ fn trainings_continue_after_any_kill() {
 #[test]
 fn reproduce_continues_after_any_kill() {
     let folder = tempdir().expect("a folder");
-    let [solutions, labels] = data(folder.path());
-    let fold = ["reproduce", "--only", "folds", "--setup", "cross", "--fold", "0", "--limit", "1"];
-    let files = ["--results", "%/results", "--train-dir", "%/runs", "--solutions", &solutions, "--labels", &labels];
-    let short = ["--label-rounds", "1", "--epochs", "1", "--dqn-epochs", "1"];
-    assert_same_when_killed(&[&fold[..], &files, &short].concat(), |folder| {
-        // Results also hold how long it took; the report does not.
-        let results = folder.join("results").display().to_string();
-        output_of(&["reproduce", "--only", "report", "--results", &results]);
-        let runs = ["", "success", "dynamics", "dqn"].map(|run| folder.join("runs/cross-0").join(run));
-        let made = runs.iter().flat_map(|run| ["weights.safetensors", "losses.csv"].map(|file| run.join(file)));
-        made.chain([folder.join("results/README.md")]).map(|file| fs::read(file).expect("a result")).collect()
+    let recipes = small_recipes(folder.path());
+    let fold = ["reproduce", "--recipe", "small", "--setup", "cross", "--fold", "0", "--recipes", &recipes];
+    assert_same_when_killed(&[&fold[..], &["--results", "%/results", "--runs", "%/runs"]].concat(), |folder| {
+        // A result also holds how long it took.
+        let weights = fs::read(folder.join("runs/dqn/cross-0/weights.safetensors")).expect("weights");
+        let result = Report::read(&folder.join("results/small/cross-0.json"), "").expect("a result");
+        vec![weights, result.table().expect("a table").into_bytes()]
     });
 }
 

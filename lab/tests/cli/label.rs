@@ -7,15 +7,15 @@ use std::path::Path;
 use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::sampled_paths::SampledPaths;
-use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::task::TaskId;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{self, outcome, simulate};
 use pathlight_lab::data::labels::{LabelledBalls, PATHS_LEN};
 use pathlight_lab::data::random_scenes::random_scene;
 use pathlight_lab::data::scene_id::SceneId;
-use pathlight_lab::data::scene_variants::scene_variant;
 use pathlight_lab::data::solutions::TaskSolutions;
 use pathlight_lab::data::unlisted_tasks::unlisted_tasks;
+use serde_json::Value;
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of, root};
@@ -36,15 +36,9 @@ pub fn usable_balls(labels: &str, tasks: &[TaskId]) -> usize {
     of_tasks.filter(|sibling| sibling.is_none_or(|task| tasks.contains(&task))).count()
 }
 
-/// The task of a line, or the one that it is in a variant of.
+/// The task of a line.
 fn task_of(line: &LabelledBalls) -> TaskId {
     line.scene.task().expect("not a random scene")
-}
-
-/// The task and the number of the variant of a line.
-fn variant(line: &LabelledBalls) -> (TaskId, u32) {
-    let SceneId::Variant(task, number) = line.scene else { panic!("{} is no variant", line.scene) };
-    (task, number)
 }
 
 #[test]
@@ -73,80 +67,6 @@ fn labels_are_true_and_the_same_after_a_cut() {
     }
     assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);
     assert_refused(&["data", "label", "--out", &half], "choose another file, or remove this one");
-}
-
-#[test]
-fn labels_of_variants_are_true_in_the_scene_of_their_variant() {
-    let folder = tempdir().expect("a folder");
-    let out = folder.path().join("variants.jsonl").display().to_string();
-    output_of(&["data", "label", "--variants", "--template", "2", "--limit", "3", "--rounds", "2", "--out", &out]);
-    let text = fs::read_to_string(&out).expect("labels");
-    let lines: Vec<LabelledBalls> =
-        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect();
-    assert_eq!(lines.iter().map(|line| variant(line).1).collect::<Vec<_>>(), [0, 0, 0, 1, 1, 1]);
-    let mut differs = false;
-    for line in lines {
-        let (task, number) = variant(&line);
-        let task = Task::load(task).expect("a task");
-        let scene = scene_variant(&task, number).expect("it was made before");
-        let LabelledBalls { solved, failed, .. } = line;
-        let solves = |scene, ball| outcome(scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
-        assert!(solved.iter().all(|&ball| solves(&scene, ball)));
-        assert!(!failed.iter().any(|&ball| solves(&scene, ball)));
-        differs |= solved.iter().any(|&ball| !solves(&task.scene, ball));
-    }
-    assert!(differs, "all balls do the same in the scenes of the tasks");
-    assert_refused(
-        &["data", "label", "--template", "2", "--limit", "3", "--out", &out],
-        "choose another file, or remove this one",
-    );
-}
-
-#[test]
-fn labels_of_blends_are_true_and_their_rounds_take_the_blends_in_turn() {
-    let folder = tempdir().expect("a folder");
-    let file = |name: &str| folder.path().join(name).display().to_string();
-    let words =
-        ["data", "label", "--blends", "2", "--template", "2", "--limit", "4", "--setup", "within", "--fold", "0"];
-    let label = |name: &str, more: &[&str]| -> Vec<LabelledBalls> {
-        output_of(&[&words[..], &["--out", &file(name)], more].concat());
-        let text = fs::read_to_string(file(name)).expect("labels");
-        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect()
-    };
-    let sampled = label("sampled", &["--rounds", "3"]);
-    let training = Fold::new(Setup::Within, 0).all_train();
-    let first_tasks = Task::of(TEMPLATES[2]).take(4).map(|task| task.id);
-    let tasks: Vec<TaskId> = first_tasks.filter(|id| training.contains(id)).collect();
-    assert_eq!(sampled.len(), 3 * tasks.len());
-    let mut differs = false;
-    for (index, LabelledBalls { scene: id, solved, failed, .. }) in sampled.iter().enumerate() {
-        let &SceneId::Blend(task, partner, number) = id else { panic!("{id} is no blend") };
-        assert!(task != partner && [task, partner].iter().all(|id| tasks.contains(id)), "{id}");
-        assert_eq!(number as usize, index / tasks.len() % 2);
-        let scene = id.scene().expect("it was made before");
-        let solves = |scene, ball| outcome(scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
-        assert!(solved.iter().all(|&ball| solves(&scene, ball)) && !failed.iter().any(|&ball| solves(&scene, ball)));
-        let task = Task::load(task).expect("a task");
-        differs |= solved.iter().any(|&ball| !solves(&task.scene, ball));
-    }
-    assert!(differs, "all balls do the same in the scenes of the tasks");
-    assert_eq!(sampled[0].scene, sampled[2 * tasks.len()].scene, "the third round takes the first blends again");
-    assert_ne!(sampled[0].failed, sampled[2 * tasks.len()].failed, "it tries other balls there");
-    let weights = ["--weights", "assets/within-0.safetensors"];
-    let proposed = label("proposed", &[&weights[..], &["--rounds", "3"]].concat());
-    let balls = |line: &LabelledBalls| line.solved.iter().chain(&line.failed).copied().collect::<Vec<Ball>>();
-    let [likeliest, next] = [&proposed[0], &proposed[2 * tasks.len()]].map(balls);
-    assert_eq!(proposed[0].scene, sampled[0].scene);
-    assert!(likeliest.iter().all(|ball| !next.contains(ball)), "the next balls are others");
-    let of_one =
-        ["data", "label", "--blends", "1", "--template", "2", "--limit", "4", "--setup", "within", "--fold", "0"];
-    let out = file("of one");
-    output_of(&[&of_one[..], &weights, &["--rounds", "2", "--out", &out]].concat());
-    let text = fs::read_to_string(&out).expect("labels");
-    let again = text.lines().nth(1 + tasks.len()).expect("a line of the second round");
-    assert_eq!(serde_json::from_str::<LabelledBalls>(again).expect("labels"), proposed[2 * tasks.len()]);
-    let others = ["data", "label", "--blends", "3", "--template", "2", "--limit", "4", "--out", &file("sampled")];
-    assert_refused(&others, "choose another file, or remove this one");
 }
 
 #[test]
@@ -275,11 +195,11 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
     let refused = |labels: &str, words: &str| {
         assert_refused(&["train", "success", "--weights", "assets/within-0.safetensors", "--labels", labels], words);
     };
-    let task = task_of(&serde_json::from_str(line.lines().next().expect("a line")).expect("labels"));
-    let ball = format!(r#"{{"scene":{{"task":"{task}"}},"solved":[[100,100,64]],"failed":[]}}"#);
-    refused(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
-    let blend = format!(r#"{{"scene":{{"blend":["{task}","00002:999",0]}},"solved":[],"failed":[]}}"#);
-    refused(&write("blend", &[settings, &blend]), "the benchmark has no task 00002:999");
+    let mut wrong: Value = serde_json::from_str(line.lines().next().expect("a line")).expect("labels");
+    wrong["failed"][0][2] = 64.into();
+    refused(&write("ball", &[settings, &wrong.to_string()]), "has a wrong radius or is not inside the scene");
+    wrong["siblings"].as_array_mut().expect("a list").pop();
+    refused(&write("siblings", &[settings, &wrong.to_string()]), "balls, but 63 siblings and ");
     refused(
         &write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]),
         "is not a file of `pathlight-lab data label`",

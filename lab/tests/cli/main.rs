@@ -9,7 +9,6 @@ use std::process::{Command, Output};
 use pathlight::nets::{Card, PathNet};
 
 mod calibration;
-mod carried;
 mod collect;
 #[path = "../../../tests/cli/commands_page.rs"]
 mod commands_page;
@@ -17,9 +16,6 @@ mod figures;
 mod forecasts;
 mod killed;
 mod label;
-mod merge;
-mod other_data;
-mod paper_table;
 mod pipes;
 mod reference;
 mod reproduce;

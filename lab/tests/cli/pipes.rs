@@ -7,7 +7,6 @@ use std::process::{Output, Stdio};
 use tempfile::tempdir;
 
 use super::pathlight_lab;
-use super::reference::solve_rates;
 
 /// Runs a command whose standard output nobody reads, and with `both` whose standard error nobody reads either.
 fn run_unread(args: &[&str], both: bool) -> Output {
@@ -26,16 +25,14 @@ fn commands_end_quietly_when_nobody_reads() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).display().to_string();
     fs::write(file("outcomes.jsonl"), "").expect("written");
-    fs::write(file("solve_rates.json"), solve_rates()).expect("written");
     let [reference, assets, solutions, figures] = [".", "assets", "solutions", "figures"].map(file);
     let weights = "assets/within-0.safetensors";
-    let commands: [&[&str]; 6] = [
+    let commands: [&[&str]; 5] = [
         &["measure", "evaluate", "--agent", "random", "--limit", "1"],
         &["data", "collect", "--template", "2", "--limit", "1", "--per-task", "2", "--out", &solutions],
         &["publish", "weights", weights, "--assets", &assets],
         &["figures", "--out", &figures],
         &["measure", "fidelity", "--reference", &reference],
-        &["data", "solve-rates", "--actions", "1", "--limit", "1", "--reference", &reference],
     ];
     for args in commands {
         for both in [false, true] {

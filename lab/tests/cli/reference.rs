@@ -1,5 +1,4 @@
-//! `pathlight-lab measure fidelity` and `solve-rates`: comparisons with reference data, here of a few lines made on the
-//! spot.
+//! `pathlight-lab measure fidelity`, with reference data of a few lines made on the spot, and `data difficulty`.
 
 use std::fs;
 use std::path::Path;
@@ -63,34 +62,6 @@ fn agreement_is_counted() {
         "outcomes.jsonl, line 1",
     );
     assert_refused(&["measure", "fidelity", "--reference", "no/such/folder"], "--reference names the folder");
-}
-
-/// Returns a solve_rates.json in which all tasks have the same rates: a quarter valid, a fifth of them solving.
-pub fn solve_rates() -> String {
-    let counts = json!({"valid": 50, "invalid": 150, "solved": 10});
-    let all: Value =
-        TEMPLATES.iter().flat_map(|template| ids(template)).map(|id| (id.to_string(), counts.clone())).collect();
-    all.to_string()
-}
-
-#[test]
-fn rates_of_random_actions_stand_beside_the_reference() {
-    let folder = tempdir().expect("a folder");
-    fs::write(folder.path().join("solve_rates.json"), solve_rates()).expect("written");
-    let words = ["data", "solve-rates", "--actions", "40", "--limit", "1", "--reference"];
-    let text = output_of(&[&words[..], &[&folder.path().display().to_string()]].concat());
-    let last: Vec<f64> = text
-        .lines()
-        .last()
-        .expect("a row")
-        .split_whitespace()
-        .skip(1)
-        .map(|number| number.parse().expect("a number"))
-        .collect();
-    let [valid, their_valid, solving, their_solving] = last[..] else { panic!("{text}") };
-    assert_eq!((their_valid, their_solving), (25.0, 20.0));
-    assert!((10.0..90.0).contains(&valid) && (0.1..50.0).contains(&solving), "{text}");
-    assert_refused(&["data", "solve-rates", "--reference", "no/such/folder"], "--reference names the folder");
 }
 
 #[test]

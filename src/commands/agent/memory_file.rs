@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, bail};
 use pathlight::agents::memory::Memory;
 
-use crate::commands::replace_file::{check_replaceable, replace_file, without_links};
+use pathlight::command_line::replace_file::{check_replaceable, replace_file, without_links};
 
 pub struct MemoryFile {
     file: PathBuf,

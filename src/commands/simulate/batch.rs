@@ -18,7 +18,7 @@ use super::start::{Place, Request};
 use super::{Answer, Format, attempt_line};
 use crate::commands::input;
 use crate::commands::json_lines::{Line, Lines, MAX_LINE, Numbered, Refusal, parse};
-use crate::commands::progress::Progress;
+use pathlight::command_line::progress::Progress;
 
 /// Lines per core in one chunk: enough that cores rarely wait for one another.
 const LINES_PER_CORE: usize = 64;

@@ -19,7 +19,7 @@ use pathlight::verification::AttemptLine;
 use serde::{Serialize, Serializer};
 
 use super::custom_scene_file;
-use super::engine_arg::EngineArg;
+use pathlight::command_line::engine_arg::EngineArg;
 
 mod batch;
 mod start;

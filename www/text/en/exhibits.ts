@@ -70,7 +70,6 @@ export const exhibits = {
       paper: "paper: the paper’s four nets alone",
       random: "random: balls at random",
     },
-    listed: "RAND: PHYRE’s own list of random balls, as published",
     auccess: "AUCCESS on this one split",
     auccessHint: "0: nothing is solved; 100: everything with the first ball.",
     solved: (most: number) => (most === 1 ? "solved with the first ball" : `solved within ${most} balls`),
@@ -116,11 +115,19 @@ export const exhibits = {
     within: "Known kinds",
     cross: "New kinds",
     ours: "Ours, means over ten splits",
-    otherData:
-      "online, trained longer: also on balls that the net proposed (known kinds), or on random scenes alone (new kinds)",
+    /** By the recipe of lab/recipes.toml. */
+    recipes: {
+      tasks: "online, taught PHYRE’s tasks alone",
+      scenes: "online, taught more scenes †",
+      memory: "online with a memory of all puzzles before ‡",
+      success: "the success net, which imagines nothing",
+      dqn: "DQN, smaller",
+      paper: "the paper’s four nets",
+      random: "RAND: PHYRE’s own list of random balls",
+    },
     published: "Published, in PHYRE’s own simulator",
     sawMoreMark:
-      "† It learned from random scenes, which no published agent has seen. Our other nets learned from PHYRE’s training tasks and from scenes made of them.",
+      "† Known kinds: also puzzles of these kinds that PHYRE does not list. New kinds: random scenes alone. No published agent has seen these. ‡ It keeps what it learned at one test puzzle for the next.",
     byKind: "The paper’s nets, kind by kind",
     byKindAbout: "A dash: no split tests this kind as new.",
     kindColumn: "Kind",

@@ -1,7 +1,6 @@
 //! Makes the lines of a file of `data label`: chooses balls in a scene and tries them.
 
 use std::collections::BTreeMap;
-use std::num::NonZeroU32;
 
 use pathlight::agents::ranking::ranked;
 use pathlight::nets::PathNet;
@@ -12,11 +11,9 @@ use pathlight::puzzle::templates::TEMPLATES;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::{BALLS, Scenes, Settings, UNSOLVED};
+use super::{BALLS, Settings, UNSOLVED};
 use crate::data::labels::{LabelledBalls, Sampled, Tried, sample, try_balls};
-use crate::data::scene_blends::blend_of;
 use crate::data::scene_id::SceneId;
-use crate::data::scene_variants::scene_variant;
 use crate::data::solutions::Solution;
 
 /// Known solutions of the tasks that may be used.
@@ -39,8 +36,6 @@ impl KnownSolutions {
 /// Makes the lines of a file.
 pub struct Labeller<'a> {
     pub settings: &'a Settings,
-    /// The tasks that are labelled, ascending.
-    pub tasks: Vec<TaskId>,
     /// The nets that propose the balls; without them, balls are sampled.
     pub nets: Option<PathNet>,
     pub known: KnownSolutions,
@@ -51,48 +46,20 @@ impl Labeller<'_> {
     pub fn label(&self, id: SceneId, round: usize) -> LabelledBalls {
         match id {
             SceneId::Unlisted(..) | SceneId::Random(_) => self.in_new_scene(id, round),
-            SceneId::Task(task) | SceneId::Variant(task, _) | SceneId::Blend(task, ..) => self.in_task(task, round),
+            SceneId::Task(task) => self.in_task(task, round),
         }
     }
 
     fn in_task(&self, id: TaskId, round: usize) -> LabelledBalls {
-        let task = Task::load(id).expect("a task of the selection");
-        let round_number = round as u32;
-        let variant = || {
-            let scene = scene_variant(&task, round_number)?;
-            Some((SceneId::Variant(id, round_number), scene, 0))
-        };
-        let blend = |count: NonZeroU32| {
-            let number = round_number % count;
-            let (partner, scene) = blend_of(&task, number, self.tasks_of(id.template))?;
-            Some((SceneId::Blend(id, partner, number), scene, (round_number / count) as usize))
-        };
-        let changed = match self.settings.scenes {
-            Scenes::Variants => variant(),
-            Scenes::Blends(count) => blend(count),
-            Scenes::Tasks | Scenes::Unlisted(_) | Scenes::Random(_) => None,
-        };
-        // If no variant or blend of this number fits, the scene itself is used.
-        let (scene_id, scene, round_in_scene) = changed.unwrap_or((SceneId::Task(id), task.scene.clone(), round));
-        if let Some(proposed) = self.proposed(&scene, round_in_scene) {
+        let scene = Task::load(id).expect("a task of the selection").scene;
+        let scene_id = SceneId::Task(id);
+        if let Some(proposed) = self.proposed(&scene, round) {
             return LabelledBalls::new(scene_id, proposed);
         }
-        let partner = if let SceneId::Blend(_, partner, _) = scene_id { Some(partner) } else { None };
-        let own = [id].into_iter().chain(partner).filter_map(|task| self.known.of_task.get(&task));
-        let own: Vec<Sampled> = own.flatten().map(|&ball| (ball, None)).collect();
-        let siblings = match self.settings.scenes {
-            Scenes::Variants | Scenes::Blends(_) => &[],
-            _ => self.known.of_template[id.template].as_slice(),
-        };
+        let own: Vec<Sampled> = self.known.of_task.get(&id).into_iter().flatten().map(|&ball| (ball, None)).collect();
+        let siblings = self.known.of_template[id.template].as_slice();
         let balls = sample((scene_id, &scene), &own, siblings, BALLS, &mut self.rng(scene_id, round));
         LabelledBalls::new(scene_id, try_balls(&scene, balls))
-    }
-
-    /// The tasks of a template that are labelled.
-    fn tasks_of(&self, template: usize) -> &[TaskId] {
-        let start = self.tasks.partition_point(|task| task.template < template);
-        let end = self.tasks.partition_point(|task| task.template <= template);
-        &self.tasks[start..end]
     }
 
     /// The balls that the nets find most probable, if there are nets.
@@ -111,7 +78,7 @@ impl Labeller<'_> {
         let (siblings, unsolved) = match id {
             SceneId::Unlisted(template, _) => (self.known.of_template[template].as_slice(), true),
             SceneId::Random(number) => (&[][..], number.is_multiple_of(UNSOLVED)),
-            SceneId::Task(_) | SceneId::Variant(..) | SceneId::Blend(..) => (&[][..], true),
+            SceneId::Task(_) => (&[][..], true),
         };
         let is_left_out = |tried: &[Tried]| !unsolved && !tried.iter().any(|ball| ball.solved);
         if let Some(proposed) = self.proposed(&scene, round) {

@@ -1,6 +1,6 @@
 //! The lines of a file of `data label`, and reading them.
 
-use std::num::{NonZeroU32, NonZeroUsize};
+use std::num::NonZeroUsize;
 use std::path::Path;
 
 use anyhow::ensure;
@@ -11,17 +11,14 @@ use serde::{Deserialize, Serialize};
 use super::Scenes;
 use crate::data::label_use::Proposer;
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
-use crate::data::scene_id::SceneId;
 use crate::files::journal::{self, check_ball, check_task};
 
-/// What determines the content of a file. Absent fields take their defaults.
+/// What determines the content of a file.
 #[derive(Serialize, Deserialize)]
 pub struct LabelSettings {
     pub seed: u64,
     pub tasks: NonZeroUsize,
-    #[serde(default)]
     pub template: Option<usize>,
-    #[serde(default = "default_limit")]
     pub limit: usize,
     /// `simulator::VERSION`
     pub simulator: u32,
@@ -43,20 +40,10 @@ pub struct LabelSettings {
     pub training_tasks_of: Option<(Setup, u8)>,
 }
 
-fn default_limit() -> usize {
-    100
-}
-
 /// The fields that say which scenes balls were tried in; none if in those of the tasks.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SceneFields {
-    /// Whether in variants of the scenes.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    variants: bool,
-    /// The number of blends of each task.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    blends: Option<NonZeroU32>,
     /// Whether in random scenes; their number is that of the tasks.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     random_scenes: bool,
@@ -70,8 +57,6 @@ impl From<Scenes> for SceneFields {
         let none = SceneFields::default();
         match scenes {
             Scenes::Tasks => none,
-            Scenes::Variants => SceneFields { variants: true, ..none },
-            Scenes::Blends(count) => SceneFields { blends: Some(count), ..none },
             Scenes::Unlisted(count) => SceneFields { unlisted: Some(count), ..none },
             Scenes::Random(_) => SceneFields { random_scenes: true, ..none },
         }
@@ -88,10 +73,8 @@ impl LabelSettings {
 impl SceneFields {
     fn scenes(&self, tasks: NonZeroUsize) -> Scenes {
         match *self {
-            SceneFields { blends: Some(count), .. } => Scenes::Blends(count),
             SceneFields { unlisted: Some(count), .. } => Scenes::Unlisted(count),
             SceneFields { random_scenes: true, .. } => Scenes::Random(tasks.get() as u32),
-            SceneFields { variants: true, .. } => Scenes::Variants,
             _ => Scenes::Tasks,
         }
     }
@@ -103,15 +86,12 @@ impl journal::Entry for LabelledBalls {
 
     fn check(&self) -> Result<(), String> {
         self.scene.task().map_or(Ok(()), check_task)?;
-        if let SceneId::Blend(_, second, _) = self.scene {
-            check_task(second)?;
-        }
-        let (paths, balls) = (self.paths.0.len(), self.count());
-        if paths != 0 && paths != balls * PATHS_LEN {
-            return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.scene));
-        }
-        if !self.siblings.is_empty() && self.siblings.len() != balls {
-            return Err(format!("{} has {balls} balls, but {} siblings", self.scene, self.siblings.len()));
+        let (paths, siblings, balls) = (self.paths.0.len(), self.siblings.len(), self.count());
+        if paths != balls * PATHS_LEN || siblings != balls {
+            return Err(format!(
+                "{} has {balls} balls, but {siblings} siblings and {paths} bytes of paths",
+                self.scene
+            ));
         }
         self.siblings.iter().flatten().try_for_each(|&sibling| check_task(sibling))?;
         self.solved.iter().chain(&self.failed).try_for_each(|ball| check_ball(&self.scene, ball))
@@ -180,8 +160,7 @@ mod tests {
     #[test]
     fn the_fields_of_a_file_say_which_scenes_it_is_of() {
         let three = NonZeroUsize::new(3).expect("not zero");
-        let blends = Scenes::Blends(NonZeroU32::new(4).expect("not zero"));
-        for scenes in [Scenes::Tasks, Scenes::Variants, blends, Scenes::Unlisted(5), Scenes::Random(3)] {
+        for scenes in [Scenes::Tasks, Scenes::Unlisted(5), Scenes::Random(3)] {
             let text = serde_json::to_string(&SceneFields::from(scenes)).expect("JSON");
             let fields: SceneFields = serde_json::from_str(&text).expect("fields");
             assert_eq!(fields.scenes(three), scenes, "{text}");

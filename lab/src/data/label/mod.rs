@@ -1,11 +1,11 @@
-//! Balls with their outcome in all tasks, in variants or blends of them, in unlisted tasks or in random scenes, as JSON
-//! lines, to train a success net, a dynamics net or DQN on.
+//! Balls with their outcome in all tasks, in unlisted tasks or in random scenes, as JSON lines, to train a success net,
+//! a dynamics net or DQN on.
 //!
 //! The file is a journal: the settings, then one line per scene and round, in that order, so the number of lines
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
 
 use std::collections::BTreeSet;
-use std::num::{NonZeroU32, NonZeroUsize};
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
@@ -49,13 +49,6 @@ pub enum Scenes {
     /// The scenes of the tasks.
     #[default]
     Tasks,
-    /// Variants of the tasks' scenes, another variant in every round. Balls are sampled around the solutions of the
-    /// task alone.
-    Variants,
-    /// This many blends of each task. A blend lies between the scenes of the task and of another labelled task of its
-    /// template. Each round takes the next blend, and after the last the first again. Where no blend fits, the task's
-    /// own scene is used. Balls are sampled around the solutions of both tasks.
-    Blends(NonZeroU32),
     /// Up to this many unlisted tasks of each template. Balls are sampled around the solutions of its tasks.
     Unlisted(usize),
     /// Random scenes: those of the first N that some ball solves, and a sixth of the others. Balls are sampled around
@@ -109,7 +102,7 @@ impl Settings {
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
         let tasks: Vec<TaskId> = self.selection.ids().filter(|&id| allows(id)).collect();
         let scenes: Vec<SceneId> = match self.scenes {
-            Scenes::Tasks | Scenes::Variants | Scenes::Blends(_) => tasks.iter().copied().map(SceneId::Task).collect(),
+            Scenes::Tasks => tasks.iter().copied().map(SceneId::Task).collect(),
             Scenes::Unlisted(count) => {
                 let templates: BTreeSet<usize> = tasks.iter().map(|task| task.template).collect();
                 let of_template = |template: usize| {
@@ -139,12 +132,12 @@ impl Settings {
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
         let solutions = read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task));
-        let labeller = Labeller { settings: self, tasks, nets, known: KnownSolutions::new(solutions) };
+        let labeller = Labeller { settings: self, nets, known: KnownSolutions::new(solutions) };
         let total = self.rounds * scenes.len();
         let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings, progress)?;
         for (line, scene) in lines.iter().zip(scenes.iter().cycle()) {
             ensure!(
-                line.scene.unchanged() == *scene,
+                line.scene == *scene,
                 "{} has balls of {} where those of {scene} belong: remove the file",
                 self.out.display(),
                 line.scene,
@@ -171,7 +164,7 @@ impl Settings {
             progress.advance(block.len() as u64, format!("{balls} balls"));
         }
         let what = match self.scenes {
-            Scenes::Tasks | Scenes::Variants | Scenes::Blends(_) => "tasks",
+            Scenes::Tasks => "tasks",
             Scenes::Unlisted(_) => "unlisted tasks",
             Scenes::Random(_) => "random scenes",
         };

@@ -1,0 +1,122 @@
+//! The arguments that several commands share, most of them of trainings.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use clap::builder::{RangedU64ValueParser, TypedValueParser};
+use pathlight::nets::{Optimiser, PathWeights};
+use pathlight_lab::training::settings::{LabelsRecipe, RunSettings};
+
+pub fn at_least_one() -> impl TypedValueParser<Value = u16> {
+    clap::value_parser!(u16).range(1..)
+}
+
+/// A number from 1 to 2^32 - 1: counts are multiplied, so they need an upper bound too.
+pub fn count() -> impl TypedValueParser<Value = usize> {
+    RangedU64ValueParser::new().range(1..=u64::from(u32::MAX))
+}
+
+/// A number of random scenes, whose ids are listed in memory.
+pub fn random_scenes() -> impl TypedValueParser<Value = u32> {
+    clap::value_parser!(u32).range(1..=10_000_000)
+}
+
+/// How to train, and where the run is kept.
+#[derive(clap::Args)]
+pub struct RunArgs {
+    /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD for the four
+    /// nets, and success, dynamics or dqn in it for the others]
+    #[arg(long)]
+    out: Option<PathBuf>,
+
+    /// Samples per batch for the four nets, scenes per batch for the others
+    #[arg(long, default_value_t = LabelsRecipe::default().batch, value_parser = at_least_one())]
+    pub batch: u16,
+
+    /// Highest learning rate
+    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate, value_parser = learning_rate)]
+    pub learning_rate: f64,
+
+    /// Batches between two checkpoints, and between two lines of losses.csv
+    #[arg(
+        long,
+        value_name = "BATCHES",
+        default_value_t = RunSettings::default().checkpoint,
+        value_parser = at_least_one()
+    )]
+    checkpoint: u16,
+
+    /// Stop at the first checkpoint after this many batches; the same command continues from there
+    #[arg(long, value_name = "BATCHES")]
+    stop_after: Option<usize>,
+
+    /// Seed of the initial weights, and of the order of the samples or scenes
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl RunArgs {
+    pub fn labels_recipe(&self, optimiser: OptimiserName, balls_per_scene: u16) -> LabelsRecipe {
+        LabelsRecipe {
+            batch: self.batch,
+            optimiser: optimiser.into(),
+            learning_rate: self.learning_rate,
+            balls_per_scene,
+        }
+    }
+}
+
+impl From<RunArgs> for RunSettings {
+    fn from(RunArgs { out, checkpoint, stop_after, seed, .. }: RunArgs) -> RunSettings {
+        RunSettings { out, checkpoint, stop_after, seed }
+    }
+}
+
+/// Parses a learning rate: with 0 nothing would be learned.
+fn learning_rate(text: &str) -> Result<f64, String> {
+    let rate = text.parse::<f64>().ok().filter(|rate| rate.is_finite() && *rate > 0.0);
+    rate.ok_or_else(|| "give a number above 0, like 0.001".to_string())
+}
+
+/// The name of an optimiser.
+#[derive(Clone, Copy, Default, ValueEnum)]
+pub enum OptimiserName {
+    #[default]
+    Adam,
+    /// Muon for the weights of the layers, Adam for all else: learns more in the same number of batches
+    Muon,
+}
+
+impl From<OptimiserName> for Optimiser {
+    fn from(name: OptimiserName) -> Optimiser {
+        match name {
+            OptimiserName::Adam => Optimiser::Adam,
+            OptimiserName::Muon => Optimiser::Muon,
+        }
+    }
+}
+
+/// The weights of the paths in the loss.
+#[derive(clap::Args)]
+pub struct PathWeightsArgs {
+    /// Weight of the paths in the loss
+    #[arg(long, value_name = "W", default_value_t = PathWeights::default().all, value_parser = weight)]
+    path_weight: f64,
+
+    /// Weight of the paths of balls that solve, relative to those of other balls
+    #[arg(long, value_name = "W", default_value_t = PathWeights::default().solving, value_parser = weight)]
+    solving_path_weight: f64,
+}
+
+impl From<PathWeightsArgs> for PathWeights {
+    fn from(args: PathWeightsArgs) -> PathWeights {
+        PathWeights { all: args.path_weight, solving: args.solving_path_weight }
+    }
+}
+
+fn weight(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(weight) if weight > 0.0 && weight < f64::INFINITY => Ok(weight),
+        _ => Err("it has to be a number above 0".into()),
+    }
+}

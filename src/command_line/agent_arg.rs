@@ -1,0 +1,11 @@
+//! The names of the agents on the command line; the lab's binary takes them too.
+
+use crate::agents::agent_name::AgentName;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+/// Parses the name of an agent.
+pub fn agent() -> impl TypedValueParser<Value = AgentName> {
+    let names =
+        AgentName::ALL.map(|agent| PossibleValue::new(agent.name()).aliases(agent.old_name()).help(agent.about()));
+    PossibleValuesParser::new(names).try_map(|name| name.parse())
+}

@@ -1,0 +1,10 @@
+//! The argument that names the engine; the lab's binary takes it too.
+
+use crate::simulator::Engine;
+
+#[derive(clap::Args)]
+pub struct EngineArg {
+    /// Engine to simulate with: box2d, PHYRE's Box2D, or rapier, rapier2d's own pipeline as a second opinion
+    #[arg(long, default_value_t)]
+    pub engine: Engine,
+}

@@ -1,0 +1,11 @@
+//! What the command lines of the player and of the lab share: arguments, exit codes, progress, and files that are
+//! written completely or not at all. For these two programs alone: it may change at any time.
+
+#[cfg(feature = "nets")]
+pub mod agent_arg;
+pub mod engine_arg;
+pub mod exit;
+pub mod fold_args;
+pub mod progress;
+pub mod replace_file;
+pub mod template_arg;
