@@ -91,7 +91,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     ...given.effects,
   ]);
   const stage = new Stage(schedule);
-  const app = { store, canvas: stage.canvas, loupe: stage.loupe, embedded: given.embedded };
+  const app: App = { store, canvas: stage.canvas, loupe: stage.loupe, embedded: given.embedded, begun: false };
   const root = given.root as HTMLElement;
   const rendering = keepingFocus(given.keys, stage.canvas);
   let frame = 0;
@@ -112,8 +112,14 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   root.replaceChildren();
   store.start(schedule);
   draw(performance.now());
-  // What the person sees first does not wait for the model.
-  requestAnimationFrame(() => setTimeout(() => store.change(startModel)));
+  // What the person sees first waits neither for the model nor for the rest of the page.
+  requestAnimationFrame(() =>
+    setTimeout(() => {
+      app.begun = true;
+      schedule();
+      store.change(startModel);
+    }),
+  );
   return app;
 
   function schedule(): void {

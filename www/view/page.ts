@@ -30,9 +30,11 @@ export function page(app: App): View {
       <section class="scene" aria-label=${text.page.scene}>${app.canvas}${app.loupe}${problem(app)}</section>
       <section class="controls">${controls(app)}</section>
       <section class="news">${news(app)}</section>
-      <section class="side">${introShown(state) ? picks(app) : isPresented ? presented(app) : panels(app)}</section>
+      <section class="side">
+        ${introShown(state) ? (app.begun ? picks(app) : nothing) : isPresented ? presented(app) : panels(app)}
+      </section>
     </main>
-    ${home ? gallery(app) : nothing}
+    ${home && app.begun ? gallery(app) : nothing}
     <p class="unseen" role="status">${announcement(state)}</p>
     ${sheets(app)}
   </div>`;

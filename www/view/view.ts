@@ -14,4 +14,6 @@ export interface App {
   readonly loupe: HTMLCanvasElement;
   /** In a page of somebody else. */
   readonly embedded: boolean;
+  /** Has the scene been seen? What lies below it waits for that. */
+  begun: boolean;
 }
