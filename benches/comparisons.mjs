@@ -23,7 +23,7 @@ const CARGO_BENCH = ["cargo", "bench", "--quiet", "--workspace", "--features", "
 const ours = (bench, ...args) => [...CARGO_BENCH, "--bench", bench, "--", ...args];
 const ourNets = (...args) => ours("nets", ...args);
 const python = (script, ...args) => ["target/bench/venv/bin/python", `benches/nets/${script}`, ...args];
-const torch = (...args) => python("torch_step.py", WEIGHTS, "target/bench/batch.f32", "2", ...args);
+const torch = (...args) => python("torch_step.py", WEIGHTS, "target/bench/batches.f32", "2", ...args);
 const child =
   (command, threads = 1) =>
   (_, at = root) =>

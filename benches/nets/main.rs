@@ -32,6 +32,9 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 const WEIGHTS: &str = "assets/within-0.safetensors";
 const SOLUTIONS: &str = "assets/solutions.jsonl";
 const BATCH: usize = 32;
+/// Batches that are trained on in turn. On one batch the losses would go to zero, and gradients so small that their
+/// numbers are subnormal take several times as long: no training is like that.
+const BATCHES: usize = 24;
 /// Learning rate of Adam.
 const LEARNING_RATE: f64 = 3e-3;
 /// Steps whose losses have to agree.
@@ -95,7 +98,7 @@ fn nets() -> PathNet {
 }
 
 /// Writes the nets as ONNX graphs and their parameters in single precision; the scene's set cells and its covered
-/// shares, `[5, 64, 64]` each; and the batch, `[32, 9, 64, 64]`, scenes before targets.
+/// shares, `[5, 64, 64]` each; and the batches, `[24, 32, 9, 64, 64]`, scenes before targets.
 fn inputs(nets: &PathNet, task: &Task, folder: &Path) {
     let write = |name: &str, bytes: Vec<u8>| fs::write(folder.join(name), bytes).expect("the folder can be written");
     write("nets.onnx", onnx::four_nets(nets));
@@ -109,29 +112,33 @@ fn inputs(nets: &PathNet, task: &Task, folder: &Path) {
     write("weights.safetensors", safetensors::serialize(views, None).expect("names and sizes come from the nets"));
     write("scene.f32", bytes(scene_channels(&task.scene).iter().flat_map(Bitmap::to_f32)));
     write("coverage.f32", bytes(scene_coverage(&task.scene).iter().flat_map(Coverage::to_f32)));
-    let images = batch().into_iter().flat_map(|sample| sample.scene.into_iter().chain(sample.targets));
-    write("batch.f32", bytes(images.flat_map(|image| image.to_f32().collect::<Vec<_>>())));
+    let images = batches().into_iter().flatten().flat_map(|sample| sample.scene.into_iter().chain(sample.targets));
+    write("batches.f32", bytes(images.flat_map(|image| image.to_f32().collect::<Vec<_>>())));
 }
 
 fn bytes(values: impl IntoIterator<Item = f32>) -> Vec<u8> {
     values.into_iter().flat_map(f32::to_le_bytes).collect()
 }
 
-/// Solutions from all over the templates.
-fn batch() -> Vec<Sample> {
+/// Solutions from all over the templates, in each batch.
+fn batches() -> Vec<Vec<Sample>> {
     let solutions = read_solutions(Path::new(SOLUTIONS)).expect("the solutions are in assets").solutions;
-    let chosen = solutions.iter().step_by(solutions.len() / BATCH).take(BATCH);
-    let samples =
-        chosen.map(|&Solution { task, ball }| sample(&Task::load(task).expect("a task").scene, ball).expect("valid"));
-    samples.collect()
+    let chosen = |number: usize| solutions.iter().skip(number).step_by(solutions.len() / BATCH).take(BATCH);
+    let sample = |&Solution { task, ball }: &Solution| {
+        sample(&Task::load(task).expect("a task").scene, ball).expect("a valid ball")
+    };
+    (0..BATCHES).map(|number| chosen(10 * number).map(sample).collect()).collect()
 }
 
-/// The step of `pathlight-lab train paths`, on one batch over and over; returns the sum of the losses.
+/// The step of `pathlight-lab train paths`, on one batch after the other; returns the sum of the losses.
 fn training() -> impl FnMut() -> f32 {
     // The shipped weights, because the peers start from the same file.
     let mut trainer = Trainer::from_nets(nets());
-    let samples = batch();
+    let batches = batches();
+    let mut number = 0;
     move || {
+        let samples = &batches[number % BATCHES];
+        number += 1;
         let batch = PathsBatch::new(samples.iter().map(|sample| (sample, false)));
         // In rayon's pool, as in the lab.
         rayon::scope(|_| trainer.step(batch, LEARNING_RATE)).iter().sum()

@@ -1,8 +1,9 @@
-"""A training step by PyTorch: torch_step.py WEIGHTS BATCH THREADS [fused]
+"""A training step by PyTorch: torch_step.py WEIGHTS BATCHES THREADS [fused]
 
-The same nets from the same weights on the same batch as in main.rs; `fused` selects PyTorch's fused Adam.
+The same nets from the same weights on the same batches, one after the other, as in main.rs; `fused` selects PyTorch's fused Adam.
 """
 
+import itertools
 import sys
 
 import numpy as np
@@ -11,7 +12,7 @@ from repeat import repeat
 from safetensors.torch import load_file
 from torch import nn
 
-weights, batch, threads, *fused = sys.argv[1:]
+weights, batches, threads, *fused = sys.argv[1:]
 torch.set_num_threads(int(threads))
 WIDTHS = [8, 16, 32, 64, 128, 256]
 
@@ -50,12 +51,19 @@ nets = PathNet()
 # Only the four nets are trained in this step.
 nets.load_state_dict({name: tensor.float() for name, tensor in load_file(weights).items() if not name.startswith("dynamics.")})
 adam = torch.optim.Adam(nets.parameters(), lr=3e-3, eps=1e-8, fused=bool(fused))
-scene, targets = torch.from_numpy(np.fromfile(batch, np.float32).reshape(-1, 9, 64, 64)).split([5, 4], 1)
-scene, targets = scene.contiguous(), [target.contiguous() for target in targets.split(1, 1)]
+
+
+def parts(batch):
+    scene, targets = batch.split([5, 4], 1)
+    return scene.contiguous(), [target.contiguous() for target in targets.split(1, 1)]
+
+
+batches = itertools.cycle(map(parts, torch.from_numpy(np.fromfile(batches, np.float32).reshape(-1, 32, 9, 64, 64))))
 cross_entropy = nn.BCEWithLogitsLoss()
 
 
 def step():
+    scene, targets = next(batches)
     adam.zero_grad()
     loss = sum(cross_entropy(logits, target) for logits, target in zip(nets(scene), targets))
     loss.backward()
