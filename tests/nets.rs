@@ -112,29 +112,6 @@ fn weights_survive_saving_and_loading() {
     assert_eq!(nets.save(&found).expect("what was loaded is finite"), bytes);
 }
 
-/// The files in assets and results were written with these names.
-#[test]
-fn cards_with_the_old_names_are_read() {
-    let old = r#"{"setup":"cross","fold":3,"seed":0,"epochs":10,"batch":32,"rate":0.003,"cool":1,"mirror":false,"samples":5,
-        "tasks":4,"simulator":3,"judge":{"seed":0,"epochs":60,"batch":32,"drawn":256,"rate":0.001,"balls":9}}"#;
-    let card: Card = serde_json::from_str(old).expect("a card");
-    assert_eq!((card.learning_rate, card.decay_epochs), (3e-3, 1));
-    let success = card.success.expect("a success net's card");
-    assert_eq!((success.learning_rate, success.balls_per_scene), (1e-3, 256));
-}
-
-#[test]
-fn weights_with_the_old_name_of_the_success_net_are_read() {
-    let bytes = weights();
-    let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
-    let (_, header) = SafeTensors::read_metadata(&bytes).expect("its header");
-    let renamed = file.iter().map(|(name, view)| (name.replacen("success.", "judge.", 1), view));
-    let old = safetensors::serialize(renamed, header.metadata().clone()).expect("a file");
-    assert_ne!(old, bytes);
-    let (nets, card) = PathNet::load(&old).expect("an older file");
-    assert_eq!(nets.save(&card).expect("what was loaded is finite"), bytes);
-}
-
 #[test]
 fn files_that_do_not_fit_are_refused() {
     let refusal = |bytes: &[u8]| PathNet::load(bytes).expect_err("not weights");

@@ -23,7 +23,6 @@ pub enum AgentName {
     /// The dynamics net's list; learns nothing.
     Dynamics,
     /// The success net's list; learns nothing.
-    #[serde(alias = "judge")]
     Success,
     /// The agent of Harter et al. (2020), from the placement map.
     Paper,
@@ -88,11 +87,6 @@ impl AgentName {
             AgentName::Listed => "listed",
             AgentName::Random => "random",
         }
-    }
-
-    /// Returns its name in older versions, if it had another.
-    pub fn old_name(self) -> Option<&'static str> {
-        (self == AgentName::Success).then_some("judge")
     }
 
     /// Returns what it is, in a line of help.
@@ -211,7 +205,7 @@ impl FromStr for AgentName {
     type Err = UnknownAgent;
 
     fn from_str(text: &str) -> Result<AgentName, UnknownAgent> {
-        let named = AgentName::ALL.into_iter().find(|agent| agent.name() == text || agent.old_name() == Some(text));
+        let named = AgentName::ALL.into_iter().find(|agent| agent.name() == text);
         named.ok_or_else(|| UnknownAgent(text.to_string()))
     }
 }
@@ -227,13 +221,5 @@ mod tests {
             assert_eq!(serde_json::to_value(agent).expect("a name"), agent.name());
             assert_eq!(agent.name().parse(), Ok(agent));
         }
-    }
-
-    #[test]
-    fn the_old_name_of_an_agent_is_read() {
-        let [online, success] = [AgentName::Online, AgentName::Success];
-        assert_eq!((online.old_name(), success.old_name()), (None, Some("judge")));
-        assert_eq!("judge".parse(), Ok(success));
-        assert_eq!(serde_json::from_str::<AgentName>("\"judge\"").expect("a name"), success);
     }
 }

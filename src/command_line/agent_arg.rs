@@ -5,7 +5,6 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// Parses the name of an agent.
 pub fn agent() -> impl TypedValueParser<Value = AgentName> {
-    let names =
-        AgentName::ALL.map(|agent| PossibleValue::new(agent.name()).aliases(agent.old_name()).help(agent.about()));
+    let names = AgentName::ALL.map(|agent| PossibleValue::new(agent.name()).help(agent.about()));
     PossibleValuesParser::new(names).try_map(|name| name.parse())
 }

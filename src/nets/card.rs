@@ -41,10 +41,8 @@ pub struct Card {
     /// Samples per batch.
     pub batch: u16,
     /// Learning rate of Adam before it decays.
-    #[serde(alias = "rate")]
     pub learning_rate: f64,
     /// Number of final epochs over which the learning rate decays linearly to zero.
-    #[serde(alias = "cool")]
     pub decay_epochs: usize,
     /// Half of the samples were mirrored left to right.
     pub mirror: bool,
@@ -58,7 +56,7 @@ pub struct Card {
     /// `simulator::VERSION` of the rollouts trained on.
     pub simulator: u32,
     /// The settings of the success net's training, if there is a success net.
-    #[serde(alias = "judge", default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub success: Option<SuccessCard>,
     /// The settings of the dynamics net's training, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -86,13 +84,11 @@ pub struct SuccessCard {
     /// Scenes per batch.
     pub batch: u16,
     /// Balls drawn per scene in a batch.
-    #[serde(alias = "drawn")]
     pub balls_per_scene: u16,
     /// The optimiser.
     #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
     pub optimiser: Optimiser,
     /// Its highest learning rate.
-    #[serde(alias = "rate")]
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
     pub balls: usize,

@@ -2,7 +2,7 @@
 //! settings of the training.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
-//! fit is refused with the name of the tensor. Older files call the success net `judge`. Does no file or network I/O.
+//! fit is refused with the name of the tensor. Does no file or network I/O.
 //! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
 //! and accepts any type of number; here a file that a person names has to fit exactly.
 
@@ -64,7 +64,7 @@ impl PathNet {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes).map_err(WeightsError::NotSafetensors)?;
         let mut nets = PathNet::new(device);
-        if file.names().iter().any(|name| name.starts_with("success.") || name.starts_with("judge.")) {
+        if file.names().iter().any(|name| name.starts_with("success.")) {
             nets.success = Some(SuccessNet::new(device));
         }
         if file.names().iter().any(|name| name.starts_with("dynamics.")) {
@@ -164,9 +164,7 @@ impl Loader<'_> {
     /// The values of the current parameter.
     fn read(&mut self, shape: &[usize]) -> Result<Vec<f32>, WeightsError> {
         let name = self.path.join(".");
-        let old = name.replacen("success.", "judge.", 1);
-        let found = if self.file.tensor(&name).is_err() && self.file.tensor(&old).is_ok() { old } else { name };
-        let (values, tensors) = read(self.file, &found, shape)?;
+        let (values, tensors) = read(self.file, &name, shape)?;
         self.loaded += tensors;
         Ok(values)
     }

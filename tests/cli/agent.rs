@@ -219,13 +219,6 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     }
 }
 
-#[test]
-fn the_old_name_of_the_agent_success_is_read_and_not_offered() {
-    assert_refused(&["agent", "--agent", "judge"], "the weights have no success net");
-    let help = output_of(&["agent", "--help"]);
-    assert!(help.contains("- success:") && !help.contains("judge"), "{help}");
-}
-
 /// What follows the example: bad lines are answered, and good ones after them.
 const BAD_AND_GOOD_LINES: &str = r#"
 for process in [agent, simulator]:
