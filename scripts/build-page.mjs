@@ -43,7 +43,7 @@ const ENTRIES = [
   "model/worker.ts",
   ...["learns.ts", "learns-worker.ts", "results.ts"].map((name) => `exhibits/${name}`),
 ];
-/** Brotli's for a page that is served from here: the best takes 40 times as long, and saves 13 % of the wasm. */
+/** Brotli's for what is large and comes later: the best takes 40 times as long, and saves 13 % of the wasm. */
 const QUALITY = 5;
 const RELOAD = 'new EventSource("/esbuild").addEventListener("change", () => location.reload());';
 

@@ -16,6 +16,8 @@ const WEIGHTS_QUALITY = 10;
 /** Files that a person waits for are announced: bytes, and from which quality on. */
 const SLOW = 3_000_000;
 const SLOW_QUALITY = 10;
+/** Below this, bytes, even the best quality takes but seconds; what a page needs first is that small. */
+const SMALL = 1_000_000;
 /** Images do not become smaller. */
 const COMPRESSIBLE = /\.(html|css|js|json|jsonl|svg|txt|wasm|webmanifest|safetensors)$/;
 
@@ -29,7 +31,8 @@ export function isCompressible(path) {
  * folder meanwhile has one version or the other.
  * @param {string} out
  * @param {Iterable<[path: string, content: Buffer]>} files
- * @param {number} [quality] brotli's; by default the one that makes each file smallest, and 0 compresses nothing
+ * @param {number} [quality] brotli's for files that are not small; by default the one that makes each file smallest,
+ *   and 0 compresses nothing
  */
 export async function replaceFolder(out, files, quality) {
   const part = `${out}.${process.pid}`;
@@ -52,7 +55,8 @@ export async function writeFiles(folder, files, quality) {
     const target = join(folder, path);
     await mkdir(dirname(target), { recursive: true });
     await writeFile(target, content);
-    if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, quality);
+    const chosen = content.length < SMALL ? undefined : quality;
+    if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, chosen);
   });
   await Promise.all(written);
 }
