@@ -10,7 +10,7 @@ import { pathToFileURL } from "node:url";
 const folder = resolve(process.argv[2]);
 const module = await import(pathToFileURL(join(folder, "pathlight.js")).href);
 /** @type {typeof import("../www/pkg/worker/pathlight.js")} */
-const { constants, initSync, sceneLimits, templates } = module;
+const { constants, fold, initSync, sceneLimits, templates } = module;
 
 initSync({ module: readFileSync(join(folder, "pathlight_bg.wasm")) });
 
@@ -18,10 +18,21 @@ initSync({ module: readFileSync(join(folder, "pathlight_bg.wasm")) });
 const print = (name, value) => console.log(`export const ${name} = ${value};`);
 
 console.log("// Written by scripts/build-wasm. src/web/constants.rs describes the constants.\n");
-console.log('import type { MapName, SceneLimits, Template } from "./page/pathlight.js";\n');
+console.log('import type { MapName, SceneLimits, Setup, Template } from "./page/pathlight.js";\n');
 for (const [name, value] of Object.entries(constants()))
   print(name.toUpperCase() + (name === "maps" ? ": MapName[]" : ""), JSON.stringify(value));
 print("SCENE_LIMITS: SceneLimits", JSON.stringify(sceneLimits()));
+// Which tasks are new to the model of a setup: a bit for each in order, four in a digit. To find them takes a while.
+const { models } = JSON.parse(readFileSync(new URL("../assets/model.json", import.meta.url), "utf8"));
+const tasks = templates().flatMap((template) => template.tasks);
+const unseen = models.map(({ name }) => {
+  const [setup, number] = name.split("-");
+  const test = new Set(fold(setup, Number(number)).test);
+  const digits = Array(Math.ceil(tasks.length / 4)).fill(0);
+  tasks.forEach((task, index) => (digits[index >> 2] |= Number(test.has(task)) << (index & 3)));
+  return [setup, digits.map((digit) => digit.toString(16)).join("")];
+});
+print("UNSEEN: Record<Setup, string>", JSON.stringify(Object.fromEntries(unseen)));
 // The ids of the 2,500 tasks, each with its template's, would be a tenth of all that the page starts with.
 const packed = templates().map((template) => ({
   ...template,

@@ -1,8 +1,11 @@
 // Which puzzle comes next.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { neighbour, nextTask, taskOf } from "../../www/core/derived/next.ts";
+import { fold, initSync } from "../../www/pkg/page/pathlight.js";
+import { benchmark as shipped } from "../../www/simulator.ts";
 
 const tasks = ["00000:000", "00000:001", "00001:000", "00001:001", "00002:000"];
 const benchmark = {
@@ -40,4 +43,10 @@ test("the list of all is a ring", () => {
 test("a puzzle is found by its number, however it is written", () => {
   for (const text of ["00007:008", "7:8", " 7 8 ", "00007.008"]) assert.equal(taskOf(text), "00007:008", text);
   for (const text of ["", "7", "funnel", "7:8:9"]) assert.equal(taskOf(text), null, text);
+});
+
+test("what is new to a model are the test tasks of its fold", () => {
+  initSync({ module: readFileSync("www/pkg/page/pathlight_bg.wasm") });
+  for (const setup of ["within", "cross"] as const)
+    assert.deepEqual([...shipped(setup).unseen].sort(), fold(setup, 0).test);
 });

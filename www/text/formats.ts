@@ -13,6 +13,8 @@ export function formatsOf(language: string) {
   const numbers: Intl.NumberFormat[] = [];
   let percents: Intl.NumberFormat | null = null;
   const number = (value: number, decimals = 0) => {
+    const whole = Math.round(value);
+    if (decimals === 0 && Math.abs(whole) < 1000) return String(whole);
     const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
     return (numbers[decimals] ??= new Intl.NumberFormat(language, digits)).format(value);
   };
