@@ -78,6 +78,8 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     day: today(),
   });
   const text = await loadText(given.kept.language ?? given.language);
+  // A task of its own, so that neither this one nor the one before keeps the browser long.
+  await new Promise((resolve) => setTimeout(resolve));
   const { id } = given.puzzle.about;
   // The home page names no puzzle, though one lies open there.
   const isNamed = given.embedded || route.task !== null;
@@ -91,7 +93,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     ...given.effects,
   ]);
   const stage = new Stage(schedule);
-  const app: App = { store, canvas: stage.canvas, loupe: stage.loupe, embedded: given.embedded, begun: false };
+  const app: App = { store, canvas: stage.canvas, loupe: stage.loupe, embedded: given.embedded, parts: 1 };
   const root = given.root as HTMLElement;
   const rendering = keepingFocus(given.keys, stage.canvas);
   let frame = 0;
@@ -112,15 +114,18 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   root.replaceChildren();
   store.start(schedule);
   draw(performance.now());
-  // What the person sees first waits neither for the model nor for the rest of the page.
-  requestAnimationFrame(() =>
-    setTimeout(() => {
-      app.begun = true;
-      schedule();
-      store.change(startModel);
-    }),
-  );
+  void showRest();
   return app;
+
+  /** What the person sees first waits neither for the rest of the page nor for the model. */
+  async function showRest(): Promise<void> {
+    for (const parts of [2, 3] as const) {
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+      app.parts = parts;
+      schedule();
+    }
+    store.change(startModel);
+  }
 
   function schedule(): void {
     frame ||= requestAnimationFrame((now) => {

@@ -31,10 +31,10 @@ export function page(app: App): View {
       <section class="controls">${controls(app)}</section>
       <section class="news">${news(app)}</section>
       <section class="side">
-        ${introShown(state) ? (app.begun ? picks(app) : nothing) : isPresented ? presented(app) : panels(app)}
+        ${introShown(state) ? (app.parts > 1 ? picks(app) : nothing) : isPresented ? presented(app) : panels(app)}
       </section>
     </main>
-    ${home && app.begun ? gallery(app) : nothing}
+    ${home && app.parts > 2 ? gallery(app) : nothing}
     <p class="unseen" role="status">${announcement(state)}</p>
     ${sheets(app)}
   </div>`;

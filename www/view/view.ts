@@ -14,6 +14,6 @@ export interface App {
   readonly loupe: HTMLCanvasElement;
   /** In a page of somebody else. */
   readonly embedded: boolean;
-  /** Has the scene been seen? What lies below it waits for that. */
-  begun: boolean;
+  /** What is shown so far: the scene, what stands beside it, what lies below. A frame each, so that none takes long. */
+  parts: 1 | 2 | 3;
 }
