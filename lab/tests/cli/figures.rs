@@ -122,7 +122,7 @@ fn check_strips((picture, described): &(String, String)) {
             let sentence = described.split(&id).nth(1).expect("a sentence");
             assert!(sentence.contains(&format!("{setup}, fold 0, {outcome}")), "{id}: {sentence}");
             assert!(sentence.contains(&format!("attempt {attempt}, chance ")), "{id}: {sentence}");
-            assert!(words(picture, "text", None).iter().any(|text| *text == id));
+            assert!(words(picture, "text", None).contains(&id));
         }
     }
     assert_eq!(picture.matches("class=\"map\"").count(), 6 * 4);

@@ -22,8 +22,8 @@ pub struct LabelSettings {
     pub limit: usize,
     /// `simulator::VERSION`
     pub simulator: u32,
-    /// SHA-256 of the file of solutions.
-    pub solutions: String,
+    /// SHA-256 of the file of solutions; null in random scenes, of which none are known.
+    pub solutions: Option<String>,
     /// SHA-256 of the weights whose most probable balls are labelled; absent if balls were sampled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weights: Option<String>,

@@ -113,8 +113,9 @@ impl Settings {
             }
             Scenes::Random(count) => (0..count).map(SceneId::Random).collect(),
         };
+        let with_solutions = !matches!(self.scenes, Scenes::Random(_));
         // Who learns from random scenes alone must not learn from tasks through the balls there.
-        let fold = self.training_tasks_of.filter(|_| !matches!(self.scenes, Scenes::Random(_)));
+        let fold = self.training_tasks_of.filter(|_| with_solutions);
         let proposing = self.weights.as_deref().map(|path| proposing_nets(path, fold)).transpose()?;
         let (nets, card) = proposing.unzip();
         let settings = LabelSettings {
@@ -124,14 +125,15 @@ impl Settings {
             template: self.selection.template(),
             limit: self.selection.limit,
             simulator: simulator::VERSION,
-            solutions: digest(&self.solutions)?,
+            solutions: with_solutions.then(|| digest(&self.solutions)).transpose()?,
             weights: self.weights.as_deref().map(digest).transpose()?,
             net_without_dev: card.as_ref().is_some_and(|card| card.without_dev),
             net_of_random_scenes: card.is_some_and(|card| card.random_scenes_alone),
             scene_fields: self.scenes.into(),
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
-        let solutions = read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task));
+        let solutions = if with_solutions { read_solutions(&self.solutions)?.solutions } else { Vec::new() };
+        let solutions = solutions.into_iter().filter(|one| allows(one.task));
         let labeller = Labeller { settings: self, nets, known: KnownSolutions::new(solutions) };
         let total = self.rounds * scenes.len();
         let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings, progress)?;
@@ -143,12 +145,8 @@ impl Settings {
                 line.scene,
             );
         }
-        ensure!(
-            lines.len() <= total,
-            "{} holds more rounds than the {} that are asked for: ask for more, or name another file",
-            self.out.display(),
-            self.rounds
-        );
+        let (out, rounds) = (self.out.display(), self.rounds);
+        ensure!(lines.len() <= total, "{out} holds more rounds than {rounds}: ask for more, or name another file");
         let mut done = lines.len();
         let mut balls: usize = lines.iter().map(LabelledBalls::count).sum();
         progress.begin(total as u64);
