@@ -165,7 +165,7 @@ test("a lesson of two puzzles without the model leads from one to the other alon
   await button(page, "Link for a lesson").click();
   const dialog = page.getByRole("dialog", { name: "Link for a lesson" });
   await dialog.getByRole("textbox", { name: "Puzzles" }).fill("7:8 nonsense");
-  await dialog.getByRole("alert").getByText("is no puzzle").waitFor();
+  await dialog.getByRole("alert").getByText("nonsense: that is no puzzle").waitFor();
   await dialog.getByRole("textbox", { name: "Puzzles" }).fill("7:8, 0:58");
   await dialog.getByRole("radio", { name: "Play only" }).check();
   await dialog.getByText("Customise").click();

@@ -38,18 +38,22 @@ export function shareText(state: State): string {
   return text.share.message(text.puzzle.name(puzzle.about), found, isDaily ? device.day : null);
 }
 
-/** The tasks of a lesson as a person has written them; null if one of them is none. */
-export function lessonTasks(state: State): string[] | null {
+/** The tasks of a lesson as a person has written them, and what is written there that is none. */
+export function lessonTasks(state: State): { tasks: string[]; wrong: string[] } {
   const written = state.lesson.tasks.split(/[\s,;]+/).filter(Boolean);
-  const tasks = written.map(taskOf);
   const known = new Set(benchmark().tasks);
-  return tasks.every((task) => task !== null && known.has(task)) ? (tasks as string[]) : null;
+  const read = written.map((word) => [word, taskOf(word)] as const);
+  const isTask = (task: string | null): task is string => task !== null && known.has(task);
+  return {
+    tasks: read.map(([, task]) => task).filter(isTask),
+    wrong: read.flatMap(([word, task]) => (isTask(task) ? [] : [word])),
+  };
 }
 
 /** The address of the lesson; null if its puzzles cannot be read. */
 export function lessonAddress(state: State): string | null {
-  const tasks = lessonTasks(state);
-  if (!tasks) return null;
+  const { tasks, wrong } = lessonTasks(state);
+  if (wrong.length) return null;
   const { hide, presentation } = state.lesson;
   const named = tasks.length > 0 ? { ...START, task: tasks[0]! } : ownLink(state);
   const panel = PANELS.find((one) => String(one) === state.lesson.preset) ?? START.panel;

@@ -6,7 +6,7 @@ import { ref } from "lit-html/directives/ref.js";
 import { HIDEABLE } from "../core/change/route.ts";
 import { PRESETS, forget, openSheet, setLesson, setShare, toggleHidden, usePreset } from "../core/change/sheet.ts";
 import { playerSolvedAt } from "../core/derived/duel.ts";
-import { canShare, copy, lessonAddress, share, shareAddress, shareText } from "../effects/sharing.ts";
+import { canShare, copy, lessonAddress, lessonTasks, share, shareAddress, shareText } from "../effects/sharing.ts";
 import { download } from "../effects/files.ts";
 import { checkbox } from "./widgets.ts";
 import type { Sheet } from "../core/change/sheet.ts";
@@ -127,7 +127,7 @@ function lessonSheet({ store }: App): View {
                 ? html`<img class="code" src=${lesson.code} alt=${text.share.code} />`
                 : html`<p class="quiet">${text.share.noCode}</p>`
             }`
-        : html`<p role="alert">${text.share.noPuzzles}</p>`
+        : html`<p role="alert">${text.share.noPuzzles(lessonTasks(state).wrong)}</p>`
     }
     <p class="quiet">${text.share.end}</p>`;
 

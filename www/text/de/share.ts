@@ -64,7 +64,8 @@ export const share: Text["share"] = {
 
   puzzles: "Rätsel nach Nummer, eins nach dem anderen",
   place: (number, of) => `${number} von ${of}`,
-  noPuzzles: "Eine dieser Nummern ist kein Rätsel. Sie sehen aus wie 00007:008 oder 7:8.",
+  noPuzzles: (wrong) =>
+    `${wrong.join(", ")}: ${wrong.length === 1 ? "Das ist kein Rätsel" : "Das sind keine Rätsel"}. Ihre Nummern sehen aus wie 00007:008 oder 7:8.`,
   shows: "Was die Klasse sieht",
   presets: { everything: "Alles", play: "Nur Spielen", predict: "Vorhersagen: ohne Vermutung des Modells" },
   customise: "Selbst auswählen",

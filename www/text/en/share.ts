@@ -83,7 +83,8 @@ export const share = {
   puzzles: "Puzzles, by number, one after another",
   /** In a lesson. */
   place: (number: number, of: number) => `${number} of ${of}`,
-  noPuzzles: "One of these numbers is no puzzle. They look like 00007:008, or 7:8.",
+  noPuzzles: (wrong: string[]) =>
+    `${wrong.join(", ")}: ${wrong.length === 1 ? "that is no puzzle" : "these are no puzzles"}. Their numbers look like 00007:008, or 7:8.`,
   shows: "What the class sees",
   presets: { everything: "Everything", play: "Play only", predict: "Predict: no guess of the model" } satisfies Record<
     Preset,
