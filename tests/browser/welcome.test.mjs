@@ -91,7 +91,7 @@ test("a kind opens the puzzle that it names, and says afterwards how far one has
   await place(page, missing[0], task);
   await drop(page);
   await page.getByRole("link", { name: "Pathlight" }).click();
-  await page.getByRole("link", { name: /^Two Drops.*Puzzle 1 of 20 · 1 ✕/s }).waitFor();
+  await page.getByRole("link", { name: /^Two Drops.*Puzzle 1 of 20 · 1 missed/s }).waitFor();
   await page.getByText("So far you have tried 1 puzzle and solved 0, with 1 ball").waitFor();
 });
 

@@ -37,11 +37,12 @@ export const home: Text["home"] = {
 
   kinds: (count) => `${count} Arten, jede mit einem Rätsel, das für das Modell neu ist`,
   number: "Oder nach Nummer:",
-  standing: (next, of, played) =>
-    `Rätsel ${next} von ${of} · ${played
-      .slice(-3)
-      .map(({ number, solved }) => `${number} ${solved ? "✓" : "✕"}`)
-      .join(" ")}`,
+  standing: (next, of, played) => {
+    const solved = played.filter((one) => one.solved).length;
+    const missed = played.length - solved;
+    const found = [solved && `${solved} gelöst`, missed && `${missed} verfehlt`].filter(Boolean).join(", ");
+    return `Rätsel ${next} von ${of} · ${found}`;
+  },
   results: "Wie gut ist das Modell? Alle Ergebnisse",
   learns: "Sieh ihm beim Lernen zu",
 

@@ -36,12 +36,13 @@ export const home = {
 
   kinds: (count: number) => `${count} kinds, each with a puzzle that is new to the model`,
   number: "Or by number:",
-  /** "Puzzle 3 of 20 · 1 ✓ 2 ✕" */
-  standing: (next: number, of: number, played: Standing["played"]) =>
-    `Puzzle ${next} of ${of} · ${played
-      .slice(-3)
-      .map(({ number, solved }) => `${number} ${solved ? "✓" : "✕"}`)
-      .join(" ")}`,
+  /** "Puzzle 3 of 20 · 1 solved, 1 missed" */
+  standing: (next: number, of: number, played: Standing["played"]) => {
+    const solved = played.filter((one) => one.solved).length;
+    const missed = played.length - solved;
+    const found = [solved && `${solved} solved`, missed && `${missed} missed`].filter(Boolean).join(", ");
+    return `Puzzle ${next} of ${of} · ${found}`;
+  },
   results: "How good is the model? All results",
   learns: "Watch it learn",
 
