@@ -200,7 +200,9 @@ impl Report {
         let mut sentences = Vec::new();
         if let Some(card) = &self.card {
             let Card { samples, tasks, epochs, .. } = card;
-            sentences.push(format!("the four nets: {samples} solutions of {tasks} tasks, {epochs} epochs"));
+            if self.first_solved(AgentName::Paper).is_some() {
+                sentences.push(format!("the four nets: {samples} solutions of {tasks} tasks, {epochs} epochs"));
+            }
             if let Some(success) = &card.success {
                 sentences.push(format!("success net: {} balls, {} epochs", success.balls, success.epochs));
             }

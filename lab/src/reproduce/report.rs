@@ -44,8 +44,8 @@ fn head(text: &mut String) -> fmt::Result {
          `{COMMAND}` wrote this from the files in the folders beside it, a folder for each recipe of \
          [lab/recipes.toml](../lab/recipes.toml). [Results](../docs/results.md) says what follows from it.\n\n\
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
-         Cells are means over folds ± standard deviation. Nets learn from training tasks of their fold, if not more is \
-         said, and from no ball that was sampled around a solution of a test task."
+         Cells are means over folds ± standard deviation. Nets learn from training tasks of their fold, \
+         unless more is stated, and from no ball that was sampled around a solution of a test task."
     )
 }
 
@@ -82,7 +82,7 @@ fn table(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
         text,
         "\nSimulator 4 is PHYRE's physics to the bit, simulator 3 agreed with 98.8 % of its stable solutions. RAND plays \
          one list of balls on all tasks: that ours scores the same shows that scenes, valid balls, physics, folds and \
-         metric are PHYRE's. The paper's means are over templates; so taken, ours are {} within and {} cross. An agent \
+         metric are PHYRE's. The paper's means are over templates; averaged that way, ours are {} within and {} cross. An agent \
          with a memory keeps what it learned at one test task for the next, as PHYRE's DQN-O does (56.2 cross): do not \
          compare it with agents that start each task afresh.",
         paper(setups, 0),
@@ -192,9 +192,9 @@ fn folds(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
 fn made(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
     writeln!(
         text,
-        "## How they were made\n\nBy these commands, each continuing where it was interrupted; {{of}} stands for \
-         `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median over folds, without what \
-         another result had made before."
+        "## How they were made\n\nBy these commands of `pathlight-lab`, or by earlier ones that are named instead; {{of}} \
+         stands for `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median over folds and \
+         leave out work that other results share; what has none was made before they were counted."
     )?;
     for results in setups.iter().flat_map(|results| results.iter()) {
         let Some(report) = results.reports.first() else { continue };
@@ -215,7 +215,7 @@ fn made(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
             } else {
                 report.trainings().join("; ")
             },
-            if results.is_of_today { "" } else { " An earlier recipe made it; that of today has not been run." },
+            if results.is_of_today { "" } else { " The current recipe has not been run." },
             report.made_by.join("\n")
         )?;
     }
