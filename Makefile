@@ -29,7 +29,7 @@ export CARGO_TARGET_DIR := $(CURDIR)/target
 PACKAGE := www/pkg/worker/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/constants.mjs scripts/licences.mjs \
 	scripts/mend-glue.mjs scripts/optimise-wasm scripts/package-lock.json LICENSE src/web/types.d.ts src/benchmark/difficulty.json \
-	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
+	$(shell find src -name '*.rs' -not -path 'src/command*/*' -not -path src/main.rs)
 
 # Changes with the profile, so that no wasm of another one counts as built.
 BUILT_AS := target/wasm-profile

@@ -1,12 +1,12 @@
 //! The research behind Pathlight: plain functions on plain settings, which report their progress through a trait.
 //!
-//! No module prints or knows the command line; `main.rs` and `commands/` do. The modules in order, each using only
+//! No module prints or takes arguments; `main.rs` and `commands/` do. The modules in order, each using only
 //! those above it (`tests/architecture` checks that):
 //!
 //! | module | holds |
 //! | --- | --- |
 //! | `progress` | what a long piece of work tells whoever started it |
-//! | `files` | journals that can be continued, JSON, weights, writing completely or not at all |
+//! | `files` | journals that can be continued, JSON, weights |
 //! | `data` | what nets learn from: solutions, labelled balls, random scenes |
 //! | `training` | the training runs of all nets, and publishing their weights |
 //! | `measure` | agents, forecasts and chances on test tasks; the simulator beside PHYRE's |

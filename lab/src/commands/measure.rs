@@ -116,7 +116,7 @@ impl Evaluate {
     }
 }
 
-/// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold or in other scenes
+/// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold or in random scenes
 #[derive(clap::Args)]
 pub struct Forecasts {
     #[command(flatten)]

@@ -80,7 +80,7 @@ pub struct Tried {
     paths: SampledPaths,
 }
 
-/// Samples up to `count` valid balls of a scene. `own_solutions` solve it or the tasks that it was made from; a ball
+/// Samples up to `count` valid balls of a scene. `own_solutions` solve it; a ball
 /// around one that was itself sampled around the solution of another task records that task too. `sibling_solutions`
 /// solve tasks of its template.
 pub fn sample(

@@ -1,4 +1,4 @@
-//! Files: journals that can be continued, JSON, weights, and writing completely or not at all.
+//! Files: journals that can be continued, JSON and weights.
 
 use std::fs;
 use std::path::Path;

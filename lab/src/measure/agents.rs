@@ -6,8 +6,6 @@ use pathlight::agents::agent_name::AgentName;
 /// How an agent is called, measured and drawn.
 pub struct MeasuredAgent {
     pub agent: AgentName,
-    /// Its name in reports.
-    pub label: &'static str,
     /// The weights of a fold that it is measured with.
     pub weights: Weights,
     /// Whether it is measured only if it is named.
@@ -31,56 +29,48 @@ pub enum Weights {
 pub const AGENTS: [MeasuredAgent; AgentName::ALL.len()] = [
     MeasuredAgent {
         agent: AgentName::Online,
-        label: "online",
         weights: Weights::Dynamics,
         on_request: false,
         style: ("#0072b2", "none"),
     },
     MeasuredAgent {
         agent: AgentName::OnlineByBalls,
-        label: "online, by balls",
         weights: Weights::Dynamics,
         on_request: true,
         style: ("#8e5ab5", "2 3"),
     },
     MeasuredAgent {
         agent: AgentName::Dynamics,
-        label: "dynamics",
         weights: Weights::Dynamics,
         on_request: false,
         style: ("#56b4e9", "7 3"),
     },
     MeasuredAgent {
         agent: AgentName::Success,
-        label: "success net",
         weights: Weights::Success,
         on_request: false,
         style: ("#009e73", "none"),
     },
     MeasuredAgent {
         agent: AgentName::Dqn,
-        label: "DQN, smaller",
         weights: Weights::Dqn,
         on_request: false,
         style: ("#b8860b", "4 2"),
     },
     MeasuredAgent {
         agent: AgentName::Paper,
-        label: "the paper's four nets",
         weights: Weights::Paths,
         on_request: false,
         style: ("#d55e00", "8 3 2 3"),
     },
     MeasuredAgent {
         agent: AgentName::Listed,
-        label: "RAND, as published",
         weights: Weights::None,
         on_request: true,
         style: ("#4d4d4d", "1 3"),
     },
     MeasuredAgent {
         agent: AgentName::Random,
-        label: "random",
         weights: Weights::None,
         on_request: false,
         style: ("#7a8089", "3 2"),
@@ -99,9 +89,8 @@ mod tests {
     #[test]
     fn every_agent_has_a_row_and_a_look_of_its_own() {
         for agent in AgentName::ALL {
-            let MeasuredAgent { label, style, weights, .. } = row(agent);
+            let MeasuredAgent { style, weights, .. } = row(agent);
             assert_eq!(AGENTS.iter().filter(|other| other.style.0 == style.0).count(), 1, "{agent}: its colour");
-            assert_eq!(AGENTS.iter().filter(|other| other.label == *label).count(), 1, "{agent}: its label");
             assert_eq!(!matches!(weights, Weights::Dqn | Weights::None), agent.is_of_model(), "{agent}");
         }
     }

@@ -1,7 +1,7 @@
-//! How well the dynamics net imagines what balls lead to, on test tasks of a fold or in other scenes.
+//! How well the dynamics net imagines what balls lead to, on test tasks of a fold or in random scenes.
 //!
 //! Each scene is tried with uniformly random balls and, because few of these solve, with solutions: the known ones of a
-//! task, in other scenes those found among some more random balls. Imagined and real paths are drawn alike, along the
+//! task, in random scenes those found among some more random balls. Imagined and real paths are drawn alike, along the
 //! sampled positions, and compared by soft IoU. The body at its start may be half of the image of its path; so a body
 //! that never moves is compared too, as a baseline.
 

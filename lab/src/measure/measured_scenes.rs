@@ -1,4 +1,4 @@
-//! The scenes that forecasts and chances are measured on: tasks of the benchmark, or scenes that no net has seen.
+//! The scenes that forecasts are measured on: tasks of the benchmark, or scenes that no net has seen.
 
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::Card;

@@ -11,7 +11,6 @@ use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DynamicsBatch, Trainer};
 use pathlight::nets::{DynamicsCard, DynamicsNet, Optimiser, PathWeights};
 use pathlight::raster::scene_coverage;
-use serde::{Deserialize, Serialize};
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::RunSettings;
@@ -39,12 +38,11 @@ pub struct Settings {
 }
 
 /// How it is trained.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct DynamicsRecipe {
     /// Scenes per batch.
     pub batch: u16,
     /// The optimiser.
-    #[serde(default)]
     pub optimiser: Optimiser,
     /// Its highest learning rate.
     pub learning_rate: f64,
@@ -53,7 +51,6 @@ pub struct DynamicsRecipe {
     /// Of these, balls whose paths are learned.
     pub imagined_per_scene: u16,
     /// How much these paths count in the loss.
-    #[serde(default)]
     pub path_weights: PathWeights,
 }
 
@@ -138,7 +135,7 @@ impl Settings {
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,
             |number| self.batch(&scenes, number),
-            |trainer, batch, learning_rate| trainer.step(batch, Some(path_weights), learning_rate),
+            |trainer, batch, learning_rate| trainer.step(batch, path_weights, learning_rate),
             progress,
         )?;
         if !complete {

@@ -122,7 +122,7 @@ impl LabelledScenes {
             ensure!(!files[..index].contains(path), "{} is named twice: name each file once", path.display());
             let labelled = read_labels(path)?;
             ensure!(
-                labelled.rounds().is_some(),
+                labelled.is_complete(),
                 "{} ends within a round: let `pathlight-lab data label` finish it",
                 path.display()
             );

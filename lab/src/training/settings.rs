@@ -1,13 +1,10 @@
 //! The settings that the trainings share.
 //!
-//! A recipe, with data, epochs and seed, decides the weights. The card of weights has its fields too, so `recipe_of`
-//! reads it from there.
+//! A recipe, with data, epochs and seed, decides the weights. The card of weights has its fields too.
 
 use std::path::PathBuf;
 
 use pathlight::nets::Optimiser;
-use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 
 /// Seed and files of a run.
 #[derive(Clone, Debug)]
@@ -29,7 +26,7 @@ impl Default for RunSettings {
 }
 
 /// How the four nets are trained.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PathsRecipe {
     /// Samples per batch.
     pub batch: u16,
@@ -50,12 +47,11 @@ impl Default for PathsRecipe {
 }
 
 /// How a net that learns from labelled balls is trained.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LabelsRecipe {
     /// Scenes per batch.
     pub batch: u16,
     /// The optimiser.
-    #[serde(default)]
     pub optimiser: Optimiser,
     /// Its highest learning rate.
     pub learning_rate: f64,
@@ -67,13 +63,4 @@ impl Default for LabelsRecipe {
     fn default() -> LabelsRecipe {
         LabelsRecipe { batch: 32, optimiser: Optimiser::Adam, learning_rate: 3e-3, balls_per_scene: 256 }
     }
-}
-
-/// Returns the part of a card that is a recipe.
-///
-/// # Panics
-/// If the card lacks a field of it.
-pub fn recipe_of<R: DeserializeOwned>(card: &impl Serialize) -> R {
-    let card = serde_json::to_value(card).expect("a card is plain data");
-    serde_json::from_value(card).expect("a card has the fields of its recipe")
 }

@@ -257,7 +257,7 @@ fn is_checkpoint(file: &Path) -> bool {
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn read_checkpoint<C: DeserializeOwned>(folder: &Path) -> anyhow::Result<Option<Checkpoint<C>>> {
+fn read_checkpoint<C: DeserializeOwned>(folder: &Path) -> anyhow::Result<Option<Checkpoint<C>>> {
     let path = folder.join(CHECKPOINT);
     match fs::read(&path) {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),

@@ -73,9 +73,8 @@ impl Trainer<DynamicsNet> {
     }
 
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
-    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted. Without `paths` these two
-    /// are zero.
-    pub fn step(&mut self, mut batch: DynamicsBatch, paths: Option<PathWeights>, learning_rate: f64) -> Vec<f32> {
+    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted.
+    pub fn step(&mut self, mut batch: DynamicsBatch, paths: PathWeights, learning_rate: f64) -> Vec<f32> {
         let device = self.device.clone();
         let (logits, predictions) = self.nets.forward(batch.cells.scenes(&device), batch.balls.tensors(&device));
         let vector = |values: Vec<f32>| {
@@ -88,15 +87,14 @@ impl Trainer<DynamicsNet> {
         let apart = predictions.coordinates - real; // [balls, COORDINATES]
         let squared = apart.clone().detach().powi_scalar(2).reshape([count, POSITIONS, 2]);
         let distance = squared.sum_dim(2).squeeze_dim::<2>(2).sqrt(); // [balls, POSITIONS]
-        let (path_weight, error_weight) = paths.map_or((0.0, 0.0), |paths| (paths.all, ERROR_WEIGHT));
-        let of_ball = labels.clone() * (paths.unwrap_or_default().solving - 1.0) + 1.0; // [balls]
+        let of_ball = labels.clone() * (paths.solving - 1.0) + 1.0; // [balls]
         let of_ball = (of_ball.clone() / of_ball.mean()).reshape([count, 1]);
         let losses = vec![
             batch.cells.loss(logits, &device),
             binary_cross_entropy_with_logits(predictions.logits.squeeze_dim::<1>(1), labels.clone()),
             binary_cross_entropy_with_logits(predictions.path_logits.squeeze_dim::<1>(1), labels),
-            (apart.abs() * of_ball.clone()).mean() * path_weight,
-            ((predictions.errors - distance).abs() * of_ball).mean() * error_weight,
+            (apart.abs() * of_ball.clone()).mean() * paths.all,
+            ((predictions.errors - distance).abs() * of_ball).mean() * ERROR_WEIGHT,
         ];
         self.backward_step(Tensor::cat(losses, 0), learning_rate)
     }

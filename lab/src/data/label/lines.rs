@@ -63,23 +63,6 @@ impl From<Scenes> for SceneFields {
     }
 }
 
-impl LabelSettings {
-    /// The scenes that balls were tried in.
-    pub fn scenes(&self) -> Scenes {
-        self.scene_fields.scenes(self.tasks)
-    }
-}
-
-impl SceneFields {
-    fn scenes(&self, tasks: NonZeroUsize) -> Scenes {
-        match *self {
-            SceneFields { unlisted: Some(count), .. } => Scenes::Unlisted(count),
-            SceneFields { random_scenes: true, .. } => Scenes::Random(tasks.get() as u32),
-            _ => Scenes::Tasks,
-        }
-    }
-}
-
 impl journal::Entry for LabelledBalls {
     type Settings = LabelSettings;
     const COMMAND: &'static str = "data label";
@@ -106,16 +89,13 @@ pub struct Labelled {
     pub training_tasks_of: Option<(Setup, u8)>,
     /// The net that proposed the balls; `None` if they were sampled.
     pub proposer: Option<Proposer>,
-    /// The scenes that the balls were tried in.
-    pub scenes: Scenes,
     tasks: NonZeroUsize,
 }
 
 impl Labelled {
-    /// Number of rounds; `None` if the last round is not complete.
-    pub fn rounds(&self) -> Option<usize> {
-        let (lines, tasks) = (self.lines.len(), self.tasks.get());
-        lines.is_multiple_of(tasks).then(|| lines / tasks)
+    /// Whether it ends with a whole round.
+    pub fn is_complete(&self) -> bool {
+        self.lines.len().is_multiple_of(self.tasks.get())
     }
 }
 
@@ -125,7 +105,6 @@ impl Labelled {
 /// If the file is missing or damaged, or was made with another version of the simulator.
 pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     let (settings, lines) = journal::read::<LabelledBalls>(path)?;
-    let scenes = settings.scenes();
     let LabelSettings {
         simulator: version,
         tasks,
@@ -148,22 +127,6 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
             true => Proposer::RandomScenes,
             false => Proposer::Tasks { without_dev },
         }),
-        scenes,
         tasks,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_fields_of_a_file_say_which_scenes_it_is_of() {
-        let three = NonZeroUsize::new(3).expect("not zero");
-        for scenes in [Scenes::Tasks, Scenes::Unlisted(5), Scenes::Random(3)] {
-            let text = serde_json::to_string(&SceneFields::from(scenes)).expect("JSON");
-            let fields: SceneFields = serde_json::from_str(&text).expect("fields");
-            assert_eq!(fields.scenes(three), scenes, "{text}");
-        }
-    }
 }
