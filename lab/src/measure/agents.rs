@@ -51,30 +51,15 @@ pub const AGENTS: [MeasuredAgent; AgentName::ALL.len()] = [
         on_request: false,
         style: ("#009e73", "none"),
     },
-    MeasuredAgent {
-        agent: AgentName::Dqn,
-        weights: Weights::Dqn,
-        on_request: false,
-        style: ("#b8860b", "4 2"),
-    },
+    MeasuredAgent { agent: AgentName::Dqn, weights: Weights::Dqn, on_request: false, style: ("#b8860b", "4 2") },
     MeasuredAgent {
         agent: AgentName::Paper,
         weights: Weights::Paths,
         on_request: false,
         style: ("#d55e00", "8 3 2 3"),
     },
-    MeasuredAgent {
-        agent: AgentName::Listed,
-        weights: Weights::None,
-        on_request: true,
-        style: ("#4d4d4d", "1 3"),
-    },
-    MeasuredAgent {
-        agent: AgentName::Random,
-        weights: Weights::None,
-        on_request: false,
-        style: ("#7a8089", "3 2"),
-    },
+    MeasuredAgent { agent: AgentName::Listed, weights: Weights::None, on_request: true, style: ("#4d4d4d", "1 3") },
+    MeasuredAgent { agent: AgentName::Random, weights: Weights::None, on_request: false, style: ("#7a8089", "3 2") },
 ];
 
 /// Returns the row of an agent.

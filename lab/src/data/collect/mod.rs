@@ -1,8 +1,8 @@
 //! Solutions of the tasks, found among uniform random balls, as JSON lines.
 //!
 //! The file is a journal: the settings, then one line per task in ascending order, so the number of lines says where an
-//! interrupted run continues. The file depends only on the settings, not on the number of cores. `training::paths` makes
-//! training images from these lines.
+//! interrupted run continues. The file depends only on the settings, not on the number of cores. `training::paths`
+//! makes training images from these lines.
 
 use std::fmt::{self, Write as _};
 use std::path::PathBuf;
