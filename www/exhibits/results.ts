@@ -216,7 +216,9 @@ function means({ ours, published, paper }: Results["compared"]): TemplateResult 
         </tbody>
       </table>
     </div>
-    <p class="quiet">${words.sawMoreMark}</p>
+    <p class="quiet">
+      ${words.sawMoreMark} ${measured.some(([recipe]) => recipe === "memory") ? words.memoryMark : nothing}
+    </p>
     ${byKind(paper)}`;
 }
 

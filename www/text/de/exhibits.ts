@@ -108,7 +108,7 @@ export const exhibits: ExhibitText = {
 
     means: "Mittelwerte über alle zehn Aufteilungen, neben veröffentlichten",
     meansAbout:
-      "AUCCESS, ± Standardabweichung über die Aufteilungen. Die meisten Netze wurden für jede Aufteilung neu und nur kurz trainiert, darum liegen diese Zahlen unter denen oben. Unsere wurden in Version 3 des Simulators gemessen, die etwas anders rechnete als der von PHYRE; die Rätsel hier laufen in Version 4, die genauso rechnet.",
+      "AUCCESS, ± Standardabweichung über die Aufteilungen. Die meisten Netze wurden für jede Aufteilung neu und nur kurz trainiert, darum liegen diese Zahlen unter denen oben. Unsere wurden, bis auf RAND, in Version 3 des Simulators gemessen, die etwas anders rechnete als der von PHYRE; RAND und die Rätsel hier laufen in Version 4, die genauso rechnet.",
     within: "Bekannte Arten",
     cross: "Neue Arten",
     ours: "Unsere, Mittelwerte über zehn Aufteilungen",
@@ -123,7 +123,8 @@ export const exhibits: ExhibitText = {
     },
     published: "Veröffentlicht, im Simulator von PHYRE",
     sawMoreMark:
-      "† Bekannte Arten: auch Rätsel dieser Arten, die PHYRE nicht aufführt. Neue Arten: nur zufällige Szenen. Kein veröffentlichter Agent kennt sie. ‡ Es behält für das nächste Testrätsel, was es beim vorigen gelernt hat.",
+      "† Bekannte Arten: auch Rätsel dieser Arten, die PHYRE nicht aufführt. Neue Arten: nur zufällige Szenen. Kein veröffentlichter Agent kennt sie.",
+    memoryMark: "‡ Es behält für das nächste Testrätsel, was es beim vorigen gelernt hat.",
     byKind: "Die Netze des Fachartikels, Art für Art",
     byKindAbout: "Ein Strich: Keine Aufteilung prüft diese Art als neu.",
     kindColumn: "Art",

@@ -111,7 +111,7 @@ export const exhibits = {
 
     means: "Means over all ten splits, beside what others have published",
     meansAbout:
-      "AUCCESS, ± standard deviation over the splits. Most nets were trained briefly, anew for each split, so these figures are lower than those above. Ours were measured in version 3 of the simulator, which differed slightly from PHYRE’s; the puzzles here run in version 4, which does not.",
+      "AUCCESS, ± standard deviation over the splits. Most nets were trained briefly, anew for each split, so these figures are lower than those above. All of ours but RAND were measured in version 3 of the simulator, which differed slightly from PHYRE’s; RAND and the puzzles here run in version 4, which does not.",
     within: "Known kinds",
     cross: "New kinds",
     ours: "Ours, means over ten splits",
@@ -127,7 +127,8 @@ export const exhibits = {
     },
     published: "Published, in PHYRE’s own simulator",
     sawMoreMark:
-      "† Known kinds: also puzzles of these kinds that PHYRE does not list. New kinds: random scenes alone. No published agent has seen these. ‡ It keeps what it learned at one test puzzle for the next.",
+      "† Known kinds: also puzzles of these kinds that PHYRE does not list. New kinds: random scenes alone. No published agent has seen these.",
+    memoryMark: "‡ It keeps what it learned at one test puzzle for the next.",
     byKind: "The paper’s nets, kind by kind",
     byKindAbout: "A dash: no split tests this kind as new.",
     kindColumn: "Kind",
