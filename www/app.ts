@@ -121,6 +121,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   async function showRest(): Promise<void> {
     for (const parts of [2, 3] as const) {
       await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+      if (signal.aborted) return;
       app.parts = parts;
       schedule();
     }

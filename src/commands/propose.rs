@@ -6,6 +6,9 @@ use std::path::PathBuf;
 
 use pathlight::agents;
 use pathlight::benchmark::folds::FoldId;
+use pathlight::command_line::fold_args::FoldArgs;
+use pathlight::command_line::progress::Progress;
+use pathlight::command_line::replace_file::{check_replaceable, replace_file};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::session::puzzle::Puzzle;
@@ -14,9 +17,6 @@ use serde::Serialize;
 
 use super::custom_scene_file;
 use super::model_args::ModelArgs;
-use pathlight::command_line::fold_args::FoldArgs;
-use pathlight::command_line::progress::Progress;
-use pathlight::command_line::replace_file::{check_replaceable, replace_file};
 
 /// Write the model's proposals as JSON lines, best first, without simulating
 #[derive(clap::Args)]

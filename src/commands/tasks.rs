@@ -7,6 +7,8 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 use pathlight::benchmark::folds::{Fold, Setup};
+use pathlight::command_line::fold_args;
+use pathlight::command_line::template_arg::template;
 use pathlight::puzzle::custom_scene::CustomScene;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -15,8 +17,6 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::custom_scene_file;
-use pathlight::command_line::fold_args;
-use pathlight::command_line::template_arg::template;
 
 /// List the templates, the tasks of a template or of a fold, or print scenes as JSON
 #[derive(clap::Args)]

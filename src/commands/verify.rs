@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::Context;
+use pathlight::command_line::exit::is_broken_pipe;
+use pathlight::command_line::progress::say;
 use pathlight::verification::{AttemptLine, LineFault, Verdict};
 use rayon::prelude::*;
 
 use super::input;
 use super::json_lines::{Line, Lines, MAX_LINE, Numbered, parse};
-use pathlight::command_line::exit::is_broken_pipe;
-use pathlight::command_line::progress::say;
 
 /// Simulate the attempts of a file again, and say for each whether it is the same to the bit, differs or is not valid
 ///

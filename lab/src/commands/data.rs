@@ -4,6 +4,8 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::command_line::fold_args::{fold, setup};
+use pathlight::command_line::template_arg::template;
 use pathlight::puzzle::templates::Template;
 use pathlight_lab::data::collect::{self, SOLUTIONS};
 use pathlight_lab::data::difficulty;
@@ -12,8 +14,6 @@ use pathlight_lab::data::task_selection::TaskSelection;
 use pathlight_lab::progress::Progress;
 
 use super::shared_args::{count, random_scenes};
-use pathlight::command_line::fold_args::{fold, setup};
-use pathlight::command_line::template_arg::template;
 
 #[derive(clap::Subcommand)]
 pub enum Command {

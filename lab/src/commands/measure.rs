@@ -4,6 +4,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use pathlight::agents::agent_name::AgentName;
+use pathlight::command_line::agent_arg::agent;
+use pathlight::command_line::engine_arg::EngineArg;
+use pathlight::command_line::fold_args::FoldArgs;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::files::json_file;
 use pathlight_lab::measure::measured_scenes::MeasuredScenes;
@@ -13,11 +16,7 @@ use pathlight_lab::measure::{calibration, evaluate, fidelity, forecasts};
 use pathlight_lab::progress::Progress;
 use serde::Serialize;
 
-use super::shared_args::count;
-use super::shared_args::random_scenes;
-use pathlight::command_line::agent_arg::agent;
-use pathlight::command_line::engine_arg::EngineArg;
-use pathlight::command_line::fold_args::FoldArgs;
+use super::shared_args::{count, random_scenes};
 
 #[derive(clap::Subcommand)]
 pub enum Command {

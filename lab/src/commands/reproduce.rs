@@ -8,6 +8,8 @@ use std::time::Instant;
 use anyhow::Context;
 use clap::{Parser, ValueEnum};
 use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
+use pathlight::command_line::fold_args::{fold, setup};
+use pathlight::command_line::replace_file::replace_file;
 use pathlight_lab::files::json_file;
 use pathlight_lab::measure::report::Report;
 use pathlight_lab::progress::Progress;
@@ -15,8 +17,6 @@ use pathlight_lab::reproduce::recipes::{RECIPES, Recipe, Recipes, words};
 use pathlight_lab::reproduce::{COMMAND, RESULTS, report};
 
 use super::CommandLine;
-use pathlight::command_line::fold_args::{fold, setup};
-use pathlight::command_line::replace_file::replace_file;
 
 /// Make all results by their recipes, continuing where an earlier run stopped, and the table of them
 #[derive(clap::Args)]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use pathlight::command_line::fold_args::FoldArgs;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::data::label::LABELS;
 use pathlight_lab::progress::Progress;
@@ -9,11 +10,7 @@ use pathlight_lab::training::dynamics::DynamicsRecipe;
 use pathlight_lab::training::settings::PathsRecipe;
 use pathlight_lab::training::{dqn, dynamics, paths, success};
 
-use super::shared_args::OptimiserName;
-use super::shared_args::PathWeightsArgs;
-use super::shared_args::RunArgs;
-use super::shared_args::{at_least_one, count};
-use pathlight::command_line::fold_args::FoldArgs;
+use super::shared_args::{OptimiserName, PathWeightsArgs, RunArgs, at_least_one, count};
 
 #[derive(clap::Subcommand)]
 pub enum Command {

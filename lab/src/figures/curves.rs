@@ -35,11 +35,10 @@ pub fn draw(reports: &[Report]) -> Figure {
     });
     Figure {
         name: "curves",
-        title: "Tasks solved within so many attempts",
-        caption:
-            "The share of the test tasks that each agent solves within so many attempts, with the models on the page. \
+        title: "Tasks solved within k attempts",
+        caption: "The share of the test tasks that each agent solves within k attempts, with the models on the page. \
                   Attempts are as wide as they weigh in AUCCESS, which is the area under a curve and stands beside it."
-                .to_string(),
+            .to_string(),
         numbers: numbers.collect::<Vec<_>>().join(" "),
         size: [reports.len() as f64 * PANEL[0], PANEL[1]],
         definitions: Definitions::new(),

@@ -6,10 +6,11 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use crate::measure::report::Report;
-use crate::measure::shipped::Shipped;
 use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::command_line::replace_file::replace_file;
+
+use crate::measure::report::Report;
+use crate::measure::shipped::Shipped;
 use picture::Figure;
 
 mod curves;

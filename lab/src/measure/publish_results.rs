@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use pathlight::benchmark::folds::Setup;
+use pathlight::command_line::replace_file::replace_file;
 use pathlight::puzzle::task::TaskId;
 use serde::Serialize;
 
@@ -15,7 +16,6 @@ use super::report::Report;
 use super::shipped::Shipped;
 use crate::files::json_file;
 use crate::training::publish::{ModelEntry, ModelList};
-use pathlight::command_line::replace_file::replace_file;
 
 /// `results.json`.
 #[derive(Serialize)]

@@ -58,11 +58,10 @@ impl Recipes {
     /// If they are not such recipes.
     pub fn parse(text: &str) -> anyhow::Result<Recipes> {
         let recipes: Recipes = toml::from_str(text)?;
-        for Recipe { name, after, .. } in &recipes.recipe {
-            ensure!(
-                after.as_ref().is_none_or(|after| recipes.recipe.iter().any(|other| other.name == *after)),
-                "the recipe {name} comes after one that is not there"
-            );
+        for (index, Recipe { name, after, rows, .. }) in recipes.recipe.iter().enumerate() {
+            let is_above = |after: &String| recipes.recipe[..index].iter().any(|other| other.name == *after);
+            ensure!(after.as_ref().is_none_or(is_above), "the recipe {name} comes after one that is not above it");
+            ensure!(!rows.is_empty(), "the recipe {name} has no rows: name the agents that it measures");
         }
         Ok(recipes)
     }

@@ -8,11 +8,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
+use pathlight::command_line::replace_file::replace_file;
 use pathlight::nets::PathNet;
 use serde::{Deserialize, Serialize};
 
 use crate::files::digest;
-use pathlight::command_line::replace_file::replace_file;
 
 /// `model.json`.
 #[derive(Serialize, Deserialize)]

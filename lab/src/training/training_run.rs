@@ -11,6 +11,7 @@ use std::thread;
 use std::time::Instant;
 
 use anyhow::{Context, bail, ensure};
+use pathlight::command_line::replace_file::replace_file;
 use pathlight::nets::training::{Schedule, Trainable, Trainer};
 use pathlight::nets::{Card, WeightsError};
 use pathlight::puzzle::utf8::utf8;
@@ -22,7 +23,6 @@ use crate::files::differences::differences;
 use crate::files::digest;
 use crate::files::file_lock::lock;
 use crate::progress::Progress;
-use pathlight::command_line::replace_file::replace_file;
 
 const NETS: &str = "-checkpoint-nets.bpk";
 const OPTIMISER: &str = "-checkpoint-optimiser.bpk";

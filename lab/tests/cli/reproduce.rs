@@ -107,7 +107,7 @@ fn recipes_make_results_and_the_table_reads_them() {
     );
     fs::write(file("wrong.toml"), SMALL.replace("after = \"small\"", "after = \"large\"")).expect("written");
     let wrong = file("wrong.toml").display().to_string();
-    assert_refused(&["reproduce", "--recipes", &wrong], "the recipe remembering comes after one that is not there");
+    assert_refused(&["reproduce", "--recipes", &wrong], "the recipe remembering comes after one that is not above it");
     fs::write(file("wrong.toml"), SMALL.replace("train dqn", "train everything")).expect("written");
     let others = ["--results", &format!("{results}-others"), "--runs", &runs, "--recipe", "small", "--fold", "1"];
     assert_refused(&[&["reproduce", "--recipes", &wrong][..], &others].concat(), "the recipe small cannot be followed");

@@ -8,13 +8,13 @@ use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
+use pathlight::command_line::agent_arg::agent;
+use pathlight::command_line::fold_args::FoldArgs;
 
 use super::json_lines::{Lines, Numbered, Refusal};
 use super::model_args::{DqnArgs, ModelArgs};
 use lines::{Line, MAX_LINE};
 use memory_file::MemoryFile;
-use pathlight::command_line::agent_arg::agent;
-use pathlight::command_line::fold_args::FoldArgs;
 use player::Player;
 
 mod lines;

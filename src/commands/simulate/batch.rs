@@ -8,6 +8,7 @@ use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
 
 use anyhow::Context;
+use pathlight::command_line::progress::Progress;
 use pathlight::puzzle::custom_scene::sentences;
 use pathlight::puzzle::task::Task;
 use pathlight::session::puzzle::Puzzle;
@@ -18,7 +19,6 @@ use super::start::{Place, Request};
 use super::{Answer, Format, attempt_line};
 use crate::commands::input;
 use crate::commands::json_lines::{Line, Lines, MAX_LINE, Numbered, Refusal, parse};
-use pathlight::command_line::progress::Progress;
 
 /// Lines per core in one chunk: enough that cores rarely wait for one another.
 const LINES_PER_CORE: usize = 64;

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 
 use anyhow::ensure;
 use clap::ArgGroup;
+use pathlight::command_line::engine_arg::EngineArg;
 use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
@@ -19,7 +20,6 @@ use pathlight::verification::AttemptLine;
 use serde::{Serialize, Serializer};
 
 use super::custom_scene_file;
-use pathlight::command_line::engine_arg::EngineArg;
 
 mod batch;
 mod start;
