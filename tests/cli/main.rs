@@ -13,7 +13,6 @@ use pathlight::nets::PathNet;
 use serde_json::Value;
 
 mod agent;
-mod commands_page;
 mod custom_scenes;
 mod files;
 mod memory;
@@ -22,12 +21,6 @@ mod propose;
 mod serve;
 mod simulate;
 mod tasks;
-
-#[test]
-fn the_page_of_commands_is_what_the_program_says() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    commands_page::assert_up_to_date(root, "pathlight", env!("CARGO_BIN_EXE_pathlight"));
-}
 
 /// The binary, without arguments yet.
 fn pathlight() -> Command {

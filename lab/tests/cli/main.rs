@@ -10,8 +10,6 @@ use pathlight::nets::{Card, PathNet};
 
 mod calibration;
 mod collect;
-#[path = "../../../tests/cli/commands_page.rs"]
-mod commands_page;
 mod figures;
 mod forecasts;
 mod killed;
@@ -23,11 +21,6 @@ mod train;
 mod train_dqn;
 mod train_dynamics;
 mod train_success;
-
-#[test]
-fn the_page_of_commands_is_what_the_program_says() {
-    commands_page::assert_up_to_date(&root(""), "pathlight-lab", env!("CARGO_BIN_EXE_pathlight-lab"));
-}
 
 /// Returns the path of a file of the repository.
 fn root(path: &str) -> PathBuf {
