@@ -1,29 +1,29 @@
 # make play      builds what is missing and serves the page on PORT
-# make dev       serves the page on PORT, and loads it again whenever one of its files changes
-# make check     runs the fast checks: formats, lints, types and unit tests, without a browser
-# make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
-# make build     builds the wasm package, the player's binary and that of the lab
+# make dev       serves the page on PORT, and reloads it whenever one of its files changes
+# make check     runs the fast checks: formatting, lints, types and unit tests, without a browser
+# make test      runs every check and test: native, Node, Chromium, Firefox and WebKit
+# make build     builds the wasm package, and the binaries of the player and the lab
 # make python    builds the Python wheel into target/wheels
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
 # make dist      builds the page as one folder for any static host, and prints its size
-# make bench     compares the speed of nets and simulator with other engines, which it installs into target/bench;
-#                BENCH="simulator nets" leaves out the rest
+# make bench     compares the speed of the nets and the simulator with other engines, which it installs into
+#                target/bench; BENCH="simulator nets" runs only these two
 # make timings   prints how long a person waits for the page
-# make pictures  takes pictures of all views of the page
-# make film      films the page for the README: assets/film.gif
-# make clean     removes what was built or installed here, but not what the lab has written into target
+# make pictures  takes screenshots of all views of the page
+# make film      records the film of the page for the README: assets/film.gif
+# make clean     removes everything built or installed here, but keeps the lab's output in target
 #
-# PROFILE=dist compiles the wasm as it is released: smaller, and several times as long.
+# PROFILE=dist compiles the wasm as for a release: it is smaller, but takes several times as long.
 
 PORT ?= 8080
 export PROFILE ?= release
 
-# Cargo's tools are installed here: shared by all clones, apart from those of the system.
+# Tools installed by cargo: shared by all clones, separate from the system's.
 TOOLS := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pathlight/tools
 export TOOLS
 export PATH := $(TOOLS)/bin:$(PATH)
 
-# All look for what is built there, wherever else cargo is told to build.
+# Scripts and tests expect build output there, even if the user's cargo builds elsewhere.
 export CARGO_TARGET_DIR := $(CURDIR)/target
 
 PACKAGE := www/pkg/worker/pathlight_bg.wasm
@@ -31,7 +31,7 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 	scripts/mend-glue.mjs scripts/optimise-wasm scripts/package-lock.json LICENSE src/web/types.d.ts src/benchmark/difficulty.json \
 	$(shell find src -name '*.rs' -not -path 'src/command*/*' -not -path src/main.rs)
 
-# Changes with the profile, so that no wasm of another one counts as built.
+# Changes with the profile, so that wasm built with another profile counts as out of date.
 BUILT_AS := target/wasm-profile
 $(shell { read -r profile <$(BUILT_AS); [ "$$profile" = $(PROFILE) ] || \
 	{ mkdir -p target && echo $(PROFILE) >$(BUILT_AS); }; } 2>/dev/null)
@@ -57,7 +57,7 @@ check test:
 bench: $(PACKAGE)
 	@BENCH="$(BENCH)" ROUNDS="$(ROUNDS)" benches/run
 
-# Built separately: built together, the player would also contain the training code.
+# Built separately, because cargo would unify the features and the player would contain the training code.
 build: $(PACKAGE)
 	cargo build --release --package pathlight
 	cargo build --release --package pathlight-lab

@@ -3,10 +3,10 @@
 // - Pages, manifest, icons and service-worker.js keep their addresses in all versions.
 // - VERSION/ holds code, wasm and data. VERSION is a hash of the whole page, so a page that is open during an update
 //   never gets files of the new version.
-// - assets/ holds the weights, named by their own hashes, since most versions share them.
+// - assets/ holds the weights, named by their hashes, because most versions share them.
 //
-// All addresses are relative. Beside every file that compresses well are FILE.br and FILE.gz, for hosts that send
-// them. The same sources give the same bytes.
+// All addresses are relative. Every file that compresses well also has FILE.br and FILE.gz, for hosts that serve
+// precompressed files. The build is reproducible.
 
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
@@ -21,16 +21,17 @@ const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const OUT = join(ROOT, "dist");
 const VERSIONED = /\.(js|css|wasm|json|jsonl)$/;
 const WEIGHTS = /^assets\/.*\.safetensors$/;
-/** For pages of others, who take it from the npm package. */
+/** Left out: other pages get the element from the npm package. */
 const ELEMENT = /^(element\.js|chunks\/element\/.*)$/;
 const SERVICE_WORKER = "service-worker.js";
-/** Stands for the version until it is known. */
+/** Placeholder for the version, which is a hash of all files. */
 const PLACEHOLDER = "VERSION";
 
 /**
  * Builds the folder.
- * @param {{ out?: string, quality?: number, change?: (files: Map<string, Buffer>) => void }} [options] the result,
- *   whose contents are replaced; brotli's quality, 0 to compress nothing; what a test changes of the page's files
+ * @param {{ out?: string, quality?: number, change?: (files: Map<string, Buffer>) => void }} [options] the output
+ *   folder, whose contents are replaced; the quality of brotli, 0 for no compression; a hook for tests that changes the
+ *   page's files
  */
 export async function buildDist({ out = OUT, quality, change } = {}) {
   if (existsSync(out) && !existsSync(join(out, SERVICE_WORKER)) && (await readdir(out)).length > 0)
@@ -43,7 +44,7 @@ export async function buildDist({ out = OUT, quality, change } = {}) {
   return dist;
 }
 
-/** The scripts that only dist/ has. */
+/** The scripts that exist only in dist/. */
 async function offlineFiles() {
   const { outputFiles } = await build({
     ...bundling(),
@@ -56,7 +57,7 @@ async function offlineFiles() {
 }
 
 /**
- * Gives every file its place.
+ * Returns all files by their paths in dist/.
  * @param {Map<string, Buffer>} files
  */
 async function versioned(files) {
@@ -83,7 +84,7 @@ async function versioned(files) {
 }
 
 /**
- * A file with the addresses of what it names: pages name files of their version, scripts the weights.
+ * Rewrites the addresses in a file: pages refer to files of their version, scripts refer to the weights.
  * @param {string} path
  * @param {Buffer} content
  * @param {Map<string, string>} places
@@ -103,14 +104,14 @@ function addressed(path, content, places) {
   for (const [from, to] of places)
     if (WEIGHTS.test(from))
       text = text
-        // Relative to VERSION/assets, as names of files are, or to the script.
+        // Names of files are relative to VERSION/assets, addresses with ./ to the script.
         .replaceAll(`"${from.slice("assets/".length)}"`, `"../../${to}"`)
         .replaceAll(`"./${from}"`, `"../${to}"`);
   return Buffer.from(text);
 }
 
 /**
- * The service worker with the list of what it keeps.
+ * Returns the service worker with the list of files that it caches.
  * @param {string} version
  * @param {Map<string, Buffer>} dist
  */
@@ -131,7 +132,7 @@ function hash(content) {
 }
 
 /**
- * Prints the sizes of a built folder by part, as a browser downloads them.
+ * Prints the download sizes of a built folder by part.
  * @param {string} out
  * @param {Map<string, Buffer>} files
  */

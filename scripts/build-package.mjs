@@ -1,6 +1,6 @@
-// Packs target/pathlight-VERSION.tgz, the npm package: the package for scripts and the element, each as one bundle,
-// with the worker, the declarations that tsc writes, the wasm, one model and the README of package/. Prints the sizes
-// by part.
+// Packs target/pathlight-VERSION.tgz, the npm package. It holds the API for scripts and the element, each as one
+// bundle, the worker, the declarations that tsc writes, the wasm, one model and the README of package/. Prints the
+// sizes by part.
 
 import { execFileSync } from "node:child_process";
 import { appendFileSync, copyFileSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 import { bundling } from "./build-page.mjs";
 
-/** The model inside. */
+/** The model in the package. */
 const MODEL = "within-0";
 /** The examples that use the package. */
 const EXAMPLES = ["auccess.mjs", "page.html", "imagine.html", "puzzle.tsx"];
@@ -31,8 +31,8 @@ const place = (from, to) => {
 const entry = JSON.parse(read("assets/model.json")).models.find(({ name }) => name === MODEL);
 
 /**
- * What the package has otherwise than the page: one model, and the wasm's glue code beside its wasm, where bundlers
- * look for that; but within the worker, which they take as it is.
+ * The differences between the package and the page. The package has one model. Its glue code stays next to the wasm,
+ * where bundlers look for it, except in the worker, which bundlers copy unchanged.
  */
 const packaging = {
   name: "packaging",
@@ -59,7 +59,7 @@ for (const [path, name] of [
     outdir: stage,
     chunkNames: "chunks/[name]-[hash]",
     splitting: true,
-    // Not the package for scripts, which people read when something goes wrong.
+    // The API for scripts stays readable, for debugging.
     minify: name !== "pathlight",
     plugins: [packaging],
   });
@@ -73,7 +73,7 @@ execFileSync(
   ],
   { stdio: "inherit" },
 );
-/** Places the declarations of a module, and of all that these import. */
+/** Copies the declarations of a module and of its imports. */
 function declare(path, placed = new Set()) {
   if (placed.has(path)) return;
   placed.add(path);
@@ -81,10 +81,10 @@ function declare(path, placed = new Set()) {
   const text = readFileSync(join(declarations, "www", path), "utf8");
   for (const [, name] of text.matchAll(/(?:from |import\()"(\.[^"]+)"/g))
     declare(join(dirname(path), name).replace(/(\.ts|\.js)?$/, ".d.ts"), placed);
-  // A type that the compiler has found itself it imports without an ending, which Node's resolution needs.
+  // tsc imports inferred types without a file extension, which Node's resolution requires.
   write(path, text.replaceAll(/((?:from |import\()"\.[^"]+?)(\.ts|\.js)?"/g, '$1.js"'));
 }
-/** Projects for Node alone have no types of the web; without them the declarations do not compile. */
+/** Adds the types of the web, without which the declarations do not compile in projects for Node. */
 function placeWasmTypes(path) {
   const libraries = ["dom", "esnext.disposable"].map((name) => `/// <reference lib="${name}" />\n`).join("");
   write(path, libraries + read(`www/${path}`));
@@ -95,11 +95,11 @@ appendFileSync(join(stage, "element.d.ts"), read("package/react.d.ts"));
 
 for (const side of ["page", "worker"])
   for (const file of ["pathlight.js", "pathlight_bg.wasm"]) place(`www/pkg/${side}/${file}`, `pkg/${side}/${file}`);
-// Before version 8, Vite's development server packs modules of packages into a folder of its own, where their addresses
-// lead nowhere; those that are not called .js it leaves where they are. And Parcel finds these files by their names.
+// Before version 8, Vite's development server moves the .js modules of packages into another folder, where their
+// relative addresses are broken. It leaves .jsx modules in place. Parcel finds these files by their names.
 write("pathlight.jsx", 'export * from "./pathlight.js";\n');
 write("element.jsx", 'export * from "./element.js";\n');
-// Where a server renders a page, the element is a tag; the browser makes a puzzle of it.
+// On a server that renders pages, the element is only a tag; the browser turns it into a puzzle.
 write("element-in-node.js", "export {};\n");
 write("README.md", read("package/README.md").replaceAll("](../examples/", "](examples/"));
 for (const file of EXAMPLES) place(`examples/${file}`, `examples/${file}`);
@@ -110,7 +110,7 @@ for (const file of [entry.file, "attempts.jsonl"]) place(`assets/${file}`, `asse
 
 const cargo = (key) => read("Cargo.toml").match(new RegExp(`^${key} = "(.*)"$`, "m"))[1];
 const { name, ...rest } = JSON.parse(read("package/package.json"));
-// npm states where a package was built (provenance) only if its manifest names that repository.
+// npm records where a package was built (provenance) only if its manifest names that repository.
 const repository = process.env.REPOSITORY && { type: "git", url: `git+${process.env.REPOSITORY}.git` };
 const manifest = { name, version: cargo("version"), license: cargo("license"), ...rest, repository };
 write("package.json", `${JSON.stringify(manifest, null, 2)}\n`);

@@ -1,7 +1,7 @@
-// Builds the page into target/page, with all files compressed beside them: node scripts/build-page.mjs [--watch] (needs
+// Builds the page into target/page, with compressed copies of its files: node scripts/build-page.mjs [--watch] (needs
 // www/pkg).
 //
-// With --watch it serves the page on PORT, builds it again when a file changes, and loads it again in the browser.
+// With --watch it serves the page on PORT, rebuilds it when a file changes, and reloads it in the browser.
 
 import { existsSync, readFileSync } from "node:fs";
 import { readFile, readdir, stat } from "node:fs/promises";
@@ -14,7 +14,7 @@ const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const SOURCES = join(ROOT, "www");
 const OUT = join(ROOT, "target", "page");
 const models = JSON.parse(readFileSync(join(ROOT, "assets/model.json"), "utf8"));
-/** What is served as it is, and where; of the sources, what `make dev` watches. */
+/** Files that are served unchanged, and their addresses. These are sources, which `make dev` watches. */
 const COPIES = [
   ["www/index.html", "index.html"],
   ["www/style.css", "style.css"],
@@ -36,21 +36,21 @@ const BUILT = [
     `assets/${file}`,
   ]),
 ];
-/** Bundled one by one: no page loads two of them, and parts in common would be a further file to wait for. */
+/** Bundled separately: no page loads two of them, and a shared chunk would be one more file to wait for. */
 const ENTRIES = [
   "main.ts",
   "element.ts",
   "model/worker.ts",
   ...["learns.ts", "learns-worker.ts", "results.ts"].map((name) => `exhibits/${name}`),
 ];
-/** Brotli's for what is large and comes later: the best takes 40 times as long, and saves 13 % of the wasm. */
+/** Brotli's quality for large files, which load later: the best takes 40 times as long and saves 13 % of the wasm. */
 const QUALITY = 5;
 const RELOAD = 'new EventSource("/esbuild").addEventListener("change", () => location.reload());';
 
-/** @typedef {Map<string, Buffer>} Files contents by path, with `/` */
+/** @typedef {Map<string, Buffer>} Files contents by path; paths use `/` */
 
 /**
- * What esbuild is told; the tests are bundled alike.
+ * Returns the options of esbuild, for the page and for its tests.
  * @returns {import("esbuild").BuildOptions}
  */
 export function bundling() {
@@ -59,18 +59,18 @@ export function bundling() {
     bundle: true,
     format: "esm",
     target: "es2022",
-    // lit-html is installed beside the tools.
+    // lit-html is installed with the build tools.
     nodePaths: [join(ROOT, "scripts", "node_modules")],
     tsconfigRaw: {},
     loader: { ".css": "text" },
-    // The exhibits import the package by its name, as other pages do.
+    // The exhibits import the npm package by its name, as any other page does.
     alias: { pathlight: join(SOURCES, "api/index.ts") },
     logLevel: "warning",
   };
 }
 
 /**
- * All files of the page.
+ * Returns all files of the page.
  * @returns {Promise<Files>}
  */
 export async function pageFiles() {

@@ -1,6 +1,6 @@
-// Places what the notebook widget of the Python package needs in python/pathlight_phyre/page: the widget with the
-// element in one file, the worker and the wasm (needs www/pkg). The weights are in the package's own library. And the
-// licences of all that is in the wheel.
+// Builds the files of the Python package's notebook widget into python/pathlight_phyre/page: the widget with the
+// element in one file, the worker, the wasm (needs www/pkg), and the licences of everything in the wheel. The weights
+// are in the package's native library.
 
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -13,7 +13,7 @@ const root = join(dirname(fileURLToPath(import.meta.url)), "..");
 const out = join(root, "python/pathlight_phyre/page");
 
 rmSync(out, { recursive: true, force: true });
-/** The element offers no model but the first. */
+/** The widget offers only the first model. */
 const oneModel = {
   name: "one model",
   setup({ onLoad }) {

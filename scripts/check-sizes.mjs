@@ -1,5 +1,5 @@
-// Checks that no part of the page has grown unseen: node scripts/check-sizes.mjs (`make dist` builds it). Whoever makes
-// a part larger on purpose raises its limit here.
+// Checks that no part of the page exceeds its size limit: node scripts/check-sizes.mjs (needs dist/, which `make dist`
+// builds). If a part grows on purpose, raise its limit here.
 
 import { existsSync } from "node:fs";
 import { readFile, readdir } from "node:fs/promises";
@@ -9,11 +9,11 @@ import { brotliCompressSync } from "node:zlib";
 
 const DIST = join(dirname(fileURLToPath(import.meta.url)), "..", "dist");
 
-/** Most kB of the files of a part, together: as they are, and compressed by brotli. */
+/** Limits for the total size of the files of a part, kB: uncompressed, and compressed by brotli. */
 const LIMITS = [
   { part: "the page's wasm", files: /page\/\w+\.wasm$/, raw: 1000, br: 260 },
   { part: "the worker's wasm", files: /worker\/\w+\.wasm$/, raw: 3350, br: 595 },
-  // Those of a visit in English: the other language and QR codes are loaded when they are asked for.
+  // The scripts of a visit in English: the other language and QR codes load on demand.
   {
     part: "scripts",
     files: /^\w+\/(first-look|main|worker|updates|chunks\/(?!de-|lean-qr)[\w-]+)\.js$/,
@@ -26,7 +26,7 @@ const LIMITS = [
 ];
 
 /**
- * The size of some files, kB.
+ * Returns the total size of some files, kB.
  * @param {string[]} paths
  * @param {(path: string) => Promise<Buffer>} read
  */
@@ -43,7 +43,7 @@ const all = await readdir(DIST, { recursive: true });
 for (const { part, files, raw, br } of LIMITS) {
   const paths = all.filter((path) => files.test(path)).map((path) => join(DIST, path));
   const sizes = [
-    { form: "as it is", size: await sizeOf(paths, (path) => readFile(path)), limit: raw },
+    { form: "uncompressed", size: await sizeOf(paths, (path) => readFile(path)), limit: raw },
     { form: "compressed", size: await sizeOf(paths, compressed), limit: br },
   ];
   for (const { form, size, limit } of sizes) {

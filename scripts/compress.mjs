@@ -1,7 +1,7 @@
-// Writes folders of files for servers that send FILE.br or FILE.gz in place of FILE.
+// Writes folders of files for servers that send FILE.br or FILE.gz instead of FILE.
 //
-// Results are kept in target/compressed, named by the hash of the content: at the best quality each file of weights
-// takes 15 s.
+// Results are cached in target/compressed, named by the hash of the content, because each weights file takes 15 s at
+// the best quality.
 
 import { createHash, randomUUID } from "node:crypto";
 import { mkdir, readFile, rename, rm, writeFile } from "node:fs/promises";
@@ -13,12 +13,12 @@ import { brotliCompress, constants, gzip } from "node:zlib";
 const KEPT = fileURLToPath(new URL("../target/compressed", import.meta.url));
 /** Brotli's quality for weights. The highest takes twice as long and makes them 1 % larger. */
 const WEIGHTS_QUALITY = 10;
-/** Files that a person waits for are announced: bytes, and from which quality on. */
+/** Compressing a file of more than these bytes, at this quality or higher, is slow enough to announce. */
 const SLOW = 3_000_000;
 const SLOW_QUALITY = 10;
-/** Below this, bytes, even the best quality takes but seconds; what a page needs first is that small. */
+/** Below this size, bytes, even the best quality takes only seconds. The files that a page needs first are smaller. */
 const SMALL = 1_000_000;
-/** Images do not become smaller. */
+/** Image files do not shrink further. */
 const COMPRESSIBLE = /\.(html|css|js|json|jsonl|svg|txt|wasm|webmanifest|safetensors)$/;
 
 /** @param {string} path */
@@ -27,12 +27,12 @@ export function isCompressible(path) {
 }
 
 /**
- * Replaces the contents of a folder by files and their compressed forms, once all are written: a server that serves the
- * folder meanwhile has one version or the other.
+ * Replaces the contents of a folder by files and their compressed forms, once all are written, so that a server never
+ * serves a mix of two versions.
  * @param {string} out
  * @param {Iterable<[path: string, content: Buffer]>} files
- * @param {number} [quality] brotli's for files that are not small; by default the one that makes each file smallest,
- *   and 0 compresses nothing
+ * @param {number} [quality] brotli's quality for files that are not small; by default the one that makes each file
+ *   smallest; 0 compresses nothing
  */
 export async function replaceFolder(out, files, quality) {
   const part = `${out}.${process.pid}`;
@@ -62,10 +62,10 @@ export async function writeFiles(folder, files, quality) {
 }
 
 /**
- * Writes the compressed forms of a file beside it.
+ * Writes the compressed forms of a file next to it.
  * @param {string} path
- * @param {Buffer} content the file's
- * @param {number} [quality] brotli's; by default the one that makes the file smallest
+ * @param {Buffer} content the content of the file
+ * @param {number} [quality] brotli's quality; by default the one that makes the file smallest
  */
 async function writeCompressed(path, content, quality = bestQuality(path)) {
   const hash = createHash("sha256").update(content).digest("hex");
@@ -91,12 +91,12 @@ function bestQuality(path) {
  */
 function brotli(path, content, params) {
   if (content.length > SLOW && params[constants.BROTLI_PARAM_QUALITY] >= SLOW_QUALITY)
-    console.error(`== compressing ${basename(path)} (some seconds, once)`);
+    console.error(`== compressing ${basename(path)} (a few seconds, once)`);
   return promisify(brotliCompress)(content, { params });
 }
 
 /**
- * Returns a kept result, or computes it and keeps it.
+ * Returns a cached result, or computes and caches it.
  * @param {string} name
  * @param {() => Promise<Buffer>} compress
  */
@@ -106,8 +106,8 @@ async function keptOr(name, compress) {
   if (kept) return kept;
   const result = await compress();
   await mkdir(KEPT, { recursive: true });
-  // Renamed, so that an interrupted build leaves no half of a result; and two files with the same content may do so at
-  // the same time.
+  // Renaming is atomic: an interrupted build leaves no partial result, and two files with the same content can be
+  // compressed at the same time.
   const part = `${path}.${randomUUID()}`;
   await writeFile(part, result);
   await rename(part, path);

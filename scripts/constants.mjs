@@ -1,7 +1,7 @@
-// Prints what the page's modules know of the wasm from their first line on, as a module: the constants that both sides
-// share, the colours, and the templates. scripts/build-wasm keeps it in www/pkg/constants.ts.
+// Prints a module with the values that the page needs before the wasm is loaded: the constants that both sides share,
+// the colours, and the templates. scripts/build-wasm writes it to www/pkg/constants.ts.
 //
-//     node scripts/constants.mjs FOLDER    of the wasm package
+//     node scripts/constants.mjs FOLDER    the folder of the wasm package
 
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -22,7 +22,8 @@ console.log('import type { MapName, SceneLimits, Setup, Template } from "./page/
 for (const [name, value] of Object.entries(constants()))
   print(name.toUpperCase() + (name === "maps" ? ": MapName[]" : ""), JSON.stringify(value));
 print("SCENE_LIMITS: SceneLimits", JSON.stringify(sceneLimits()));
-// Which tasks are new to the model of a setup: a bit for each in order, four in a digit. To find them takes a while.
+// The tasks that are new to the model of a setup, as one bit per task, four in each hexadecimal digit. Computing them
+// takes too long for the page.
 const { models } = JSON.parse(readFileSync(new URL("../assets/model.json", import.meta.url), "utf8"));
 const tasks = templates().flatMap((template) => template.tasks);
 const unseen = models.map(({ name }) => {
@@ -33,7 +34,7 @@ const unseen = models.map(({ name }) => {
   return [setup, digits.map((digit) => digit.toString(16)).join("")];
 });
 print("UNSEEN: Record<Setup, string>", JSON.stringify(Object.fromEntries(unseen)));
-// The ids of the 2,500 tasks, each with its template's, would be a tenth of all that the page starts with.
+// Without the template's id, because the full ids of the 2,500 tasks would be a tenth of the page's first download.
 const packed = templates().map((template) => ({
   ...template,
   tasks: template.tasks.map((task) => task.slice(template.id.length + 1)).join(" "),

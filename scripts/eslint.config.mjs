@@ -1,5 +1,5 @@
-// What ESLint holds the page, its tests and the benches' pages to: its recommended rules, and what else has found
-// defects. It stands beside the packages that it imports; `scripts/lint-js` names it.
+// ESLint's rules for the page, its tests and the benches' pages: the recommended rules, and others that have found bugs.
+// The file is next to the packages that it imports; `scripts/lint-js` passes it to ESLint.
 
 import js from "@eslint/js";
 import globals from "globals";

@@ -1,9 +1,10 @@
-// Prints the licences of all that the page and the npm package are made of: node scripts/licences.mjs. With the word
-// wheel also those of the Python wheel, whose widget is the page's element. scripts/build-wasm keeps the first in
-// www/pkg/licences.txt, to which the sheet “About Pathlight” leads; scripts/build-widget.mjs keeps the others.
+// Prints the licences of everything in the page and the npm package: node scripts/licences.mjs. With the argument
+// wheel, it also prints those of the Python wheel, whose widget is the page's element. scripts/build-wasm writes the
+// first list to www/pkg/licences.txt, which the sheet “About Pathlight” links to; scripts/build-widget.mjs writes the
+// second.
 //
-// The crates are those that cargo links into the wasm, and into the wheel on any platform. Texts that several have in
-// common are printed once.
+// The crates are those that cargo links into the wasm, and into the wheel on any platform. Texts shared by several
+// parts are printed once.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
@@ -11,7 +12,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
-/** The packages of npm that are served; their files lie beside the other tools of the build. */
+/** The npm packages that become part of the page; they are installed with the build tools. */
 const NPM = ["lean-qr", "lit-html"];
 
 /** @typedef {{ name: string, version: string, licence: string, texts: string[] }} Part */
@@ -39,7 +40,7 @@ function crates(manifest, target) {
     "--format",
     "{p}",
   ]);
-  // “name vVERSION”, with a mark where it is named again
+  // Lines are “name vVERSION”, with a mark on repetitions.
   const linked = new Set(tree.split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
   const platform = target === "all" ? [] : ["--filter-platform", target];
   const { packages } = JSON.parse(
@@ -65,7 +66,7 @@ function npmPackages() {
 }
 
 /**
- * The texts of a package's licences; where one may choose, that of MIT, which is the shortest.
+ * Returns the texts of a package's licences. If there is a choice that includes MIT, returns only MIT, the shortest.
  * @param {string} folder
  * @param {string} licence
  */
@@ -92,10 +93,10 @@ const texts = new Map(
 for (const { name, texts: own } of parts) for (const text of own) texts.set(text, [...(texts.get(text) ?? []), name]);
 
 const lines = [
-  "Pathlight is under the Apache License, version 2.0. It is made with the following, each under its own licence; the texts are below.",
+  "Pathlight is licensed under the Apache License, version 2.0. It includes the following parts, each under its own licence. The texts are below.",
   "",
   ...parts.map(({ name, version, licence }) => `${name} ${version}: ${licence}`),
 ];
 for (const [text, names] of texts) lines.push("", "=".repeat(80), `${names.join(", ")}:`, "", text);
-// With the mark of UTF-8, as servers send plain text without its encoding.
+// With a byte order mark, because servers send plain text without its encoding.
 console.log(`\uFEFF${lines.join("\n")}`);

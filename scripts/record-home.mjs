@@ -1,6 +1,6 @@
-// Records what the home page shows before any weights are there: node scripts/record-home.mjs writes assets/home.json
-// (needs `make package`). Nothing in it is drawn by hand: all of it comes from the first model of assets/model.json,
-// and from assets/results.json.
+// Records the scene that the home page shows before any weights are loaded: node scripts/record-home.mjs writes
+// assets/home.json (needs `make package`). Nothing in it is made by hand: all data comes from the first model of
+// assets/model.json, and from assets/results.json.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
@@ -9,18 +9,18 @@ const ASSETS = new URL("../assets/", import.meta.url);
 const PACKAGE = new URL("../target/package/pathlight.js", import.meta.url).href;
 const OUT = new URL("home.json", ASSETS);
 /**
- * The puzzle at the top. It is new to the first model, which imagines it well and misses it all the same: whoever plays
- * it can win, and has not seen the answer.
+ * The puzzle at the top. It is new to the first model, which imagines it well but misses on its first ball. The player
+ * can therefore win, and has not seen the answer.
  */
 const TASK = "00013:193";
 /** How many futures fan out. */
 const FUTURES = 40;
-/** How many of the puzzles that a model does not solve are named. */
+/** How many of the puzzles that a model does not solve are recorded. */
 const UNSOLVED = 30;
 
 /** @typedef {import("../www/api/index.ts").Pathlight} Pathlight */
 
-/** Returns the recording, www/core/change/home.ts's `Recorded`: the same for the same weights. */
+/** Returns the recording, a `Recorded` of www/core/change/home.ts. The same weights give the same recording. */
 export async function recordHome() {
   const { load } = await import(PACKAGE);
   const { models } = await read("model.json");
@@ -39,13 +39,13 @@ export async function recordHome() {
 }
 
 /**
- * The futures that the model imagines, and the ball that it picks.
+ * Returns the futures that the model imagines, and the ball that it picks.
  * @param {Pathlight} pathlight
  */
 function recordScene(pathlight) {
   const [{ ball }] = pathlight.propose(TASK, { count: 1 });
   const { object, ball: path, errors, probability } = required(pathlight.imagineBall(TASK, ball));
-  // From the likeliest to the least likely, evenly.
+  // Evenly spaced from the likeliest to the least likely.
   const candidates = required(pathlight.candidates(TASK)).toSorted((one, other) => other.probability - one.probability);
   const futures = Array.from(
     { length: FUTURES },
@@ -68,7 +68,7 @@ function recordScene(pathlight) {
 }
 
 /**
- * The path of the green object that the model takes to be the likeliest of those that solve a task.
+ * Returns the path of the green object that the model imagines for its best ball: x, y, x, y, … px.
  * @param {Pathlight} pathlight
  * @param {string} task
  */
@@ -79,7 +79,7 @@ function likeliestPath(pathlight, task) {
 }
 
 /**
- * The easiest of some tasks that is new to the model.
+ * Returns the easiest of the tasks that are new to the model.
  * @param {Pathlight} pathlight
  * @param {string[]} tasks
  */
@@ -91,7 +91,7 @@ function easiestNew(pathlight, tasks) {
 }
 
 /**
- * The easiest puzzles that each model does not solve in a hundred attempts.
+ * Returns, by model, the easiest puzzles that it does not solve in a hundred attempts.
  * @param {Pathlight} pathlight
  */
 async function unsolvedTasks(pathlight) {
@@ -136,7 +136,7 @@ function hundredths(value) {
  * @param {T | null} value
  */
 function required(value) {
-  if (value === null) throw new Error("The first model has no dynamics net, so it imagines no futures.");
+  if (value === null) throw new Error("the first model has no dynamics net: publish one that has");
   return value;
 }
 
