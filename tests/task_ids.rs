@@ -1,4 +1,4 @@
-//! Parsing task ids and loading tasks: an id that is wrong gets a sentence with the reason and the remedy.
+//! Parsing task ids and loading tasks: the error for a wrong id names the reason and the remedy.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::puzzle::task::{Task, TaskError, TaskId, ids};

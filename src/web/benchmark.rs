@@ -1,4 +1,4 @@
-//! The benchmark: its templates and tasks, how hard they are, its folds, and the figures that agents are compared by.
+//! The benchmark: its templates and tasks, their difficulty, its folds, and the scores for comparing agents.
 
 use js_sys::{Array, Number};
 use serde_json::json;
@@ -26,7 +26,7 @@ pub fn templates() -> Result<JsValue, JsValue> {
     to_js(&templates.collect::<Vec<_>>())
 }
 
-/// Returns how hard a task is.
+/// Returns the difficulty of a task.
 #[wasm_bindgen(unchecked_return_type = "Difficulty")]
 pub fn difficulty(id: &str) -> Result<JsValue, JsValue> {
     let id: TaskId = id.parse().map_err(|reason: TaskError| error(Code::BadTask, reason))?;
@@ -54,7 +54,8 @@ pub fn fold(
     to_js(&json!({"train": train, "dev": dev, "test": test}))
 }
 
-/// Returns PHYRE's auccess, 0..=100, of an agent, from the attempt (from 1) that first solved each task, or null.
+/// Returns PHYRE's auccess, 0..=100, of an agent. The argument holds, for each task, the number (from 1) of the attempt
+/// that first solved it, or null.
 #[wasm_bindgen]
 pub fn auccess(
     #[wasm_bindgen(unchecked_param_type = "(number | null)[]")] first_solved: &JsValue,

@@ -1,4 +1,4 @@
-//! `pathlight agent` with puzzles that it remembers, and files that keep what it remembers.
+//! `pathlight agent` with puzzles that it remembers, and the files that keep its memory.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use crate::{assert_refused, run, stderr, stdout};
 
 const RANDOM: [&str; 3] = ["agent", "--agent", "random"];
 
-/// Returns the answers of the random agent to some lines.
+/// Returns the random agent's answers to some lines.
 fn answers(more: &[&str], lines: &[Value]) -> Vec<Value> {
     let text: Vec<String> = lines.iter().map(Value::to_string).collect();
     let output = run(&[&RANDOM, more].concat(), &text.join("\n"));
@@ -22,7 +22,7 @@ fn answers(more: &[&str], lines: &[Value]) -> Vec<Value> {
     answers
 }
 
-/// The lines of a puzzle that is solved at the third attempt.
+/// Returns the lines of a puzzle that is solved at the third attempt.
 fn puzzle(task: &str, remember: bool) -> Vec<Value> {
     let [failed, solved] = ["not_solved", "solved"].map(|status| json!({ "status": status }));
     vec![json!({ "task": task, "remember": remember }), failed.clone(), failed, solved]

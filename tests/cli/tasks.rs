@@ -141,7 +141,7 @@ fn a_reader_that_has_enough_is_no_error() {
         .spawn()
         .expect("the binary starts");
     let mut first = String::new();
-    // Dropping the reader closes the pipe while most is still to come.
+    // Dropping the reader closes the pipe while most of the output is still to come.
     BufReader::new(child.stdout.take().expect("piped")).read_line(&mut first).expect("a line");
     let mut said = String::new();
     child.stderr.take().expect("piped").read_to_string(&mut said).expect("UTF-8");
