@@ -124,7 +124,7 @@ impl AttemptLine {
             || self.digest.len() == 16 && self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
         // Other versions may have written digests of another form.
         if self.simulator == self.engine.version() && !is_digest() {
-            let reason = "`digest` is none: a digest has 16 hexadecimal digits, in lower case.";
+            let reason = "`digest` is not valid: a digest has 16 lowercase hexadecimal digits.";
             return Verdict::not_valid(LineFault::Form, reason);
         }
         let again = match (self.puzzle(), self.ball, self.status) {
@@ -133,7 +133,7 @@ impl AttemptLine {
             (Ok(puzzle), ball, _) => AttemptLine::of(&puzzle, ball, self.engine),
         };
         if again.status == Status::Invalid && self.status != Status::Invalid {
-            return Verdict::not_valid(LineFault::Ball, "The ball may not be placed there.");
+            return Verdict::not_valid(LineFault::Ball, "The ball is not valid there.");
         }
         let version = match (self.simulator, again.simulator) {
             (one, other) if one == other => String::new(),

@@ -1,10 +1,11 @@
 //! The shipped models propose the same balls as before, natively and in wasm, on a hundred tasks.
 //!
 //! There is one digest for each template, over the proposals for four of its tasks: two by each shipped model, ranked
-//! by its dynamics net and taken from its placement map. The same file runs under `cargo test` and `wasm-pack test
-//! --node`, against the same digests, because the layers of the nets round alike on both. When proposals are meant to
-//! change, raise `agents::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test proposals_golden`; when other
-//! weights are published, only run this command.
+//! by its dynamics net and taken from its placement map. The same file runs under `cargo test` and
+//! `wasm-pack test --node`, against the same digests, because the layers of the nets round alike on both. When
+//! proposals are meant to change, raise `agents::VERSION` and run
+//! `UPDATE_GOLDEN=1 cargo test --release --test proposals_golden`; when other weights are published, only run this
+//! command.
 
 use md5::{Digest, Md5};
 use pathlight::agents::{self, Origin};

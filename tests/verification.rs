@@ -2,8 +2,8 @@
 //!
 //! `assets/attempts.jsonl` holds twelve attempts for each template: for each of three tasks, one without a ball, two
 //! with random balls, and one that solves. `tests/golden/rapier.jsonl` holds some of them in the second engine,
-//! natively only. To change the simulation on purpose, raise the version and run `UPDATE_GOLDEN=1 cargo test --release
-//! --test verification`.
+//! natively only. To change the simulation on purpose, raise the version and run
+//! `UPDATE_GOLDEN=1 cargo test --release --test verification`.
 
 use std::collections::BTreeMap;
 

@@ -130,9 +130,9 @@ pub fn four_nets(nets: &PathNet) -> Vec<u8> {
     builder.file(&["scene"], maps)
 }
 
-/// Returns the graph of all nets. It has a second input, the covered shares of the scene's cells, `coverage` `[1, 5,
-/// 64, 64]`, and another output, the logits of the cells, `[1, 8, 64, 64]`, averaged over the scene and its mirror
-/// image.
+/// Returns the graph of all nets. It has a second input, the covered shares of the scene's cells, `coverage`
+/// `[1, 5, 64, 64]`, and another output, the logits of the cells, `[1, 8, 64, 64]`, averaged over the scene and its
+/// mirror image.
 pub fn all_nets(nets: &PathNet) -> Vec<u8> {
     let mut builder = Builder::new(nets);
     let mut outputs = builder.maps();

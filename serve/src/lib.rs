@@ -167,7 +167,7 @@ fn announce(address: SocketAddr) -> anyhow::Result<()> {
     }
     writeln!(io::stdout(), "Pathlight is at http://{opened}/ (Ctrl+C ends it)")?;
     if !address.ip().is_loopback() {
-        say("warning: every machine that can reach this one can open the page, under the address of this one");
+        say("warning: every machine that can reach this one can open the page at its address");
     }
     Ok(())
 }

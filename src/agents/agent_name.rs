@@ -45,7 +45,7 @@ pub struct Loaded<'a> {
 
 /// The net that an agent needs and the weights lack.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the weights have no {net}: train one with `pathlight-lab train {command}`, or leave --agent {agent} out")]
+#[error("the weights have no {net}: train one with `pathlight-lab train {command}`, or omit --agent {agent}")]
 pub struct LacksNet {
     agent: AgentName,
     net: &'static str,
@@ -59,7 +59,7 @@ pub struct CannotRemember(AgentName);
 
 /// A name that belongs to no agent.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no agent {0}: use {names}", names = AgentName::ALL.map(|name| name.to_string()).join(", "))]
+#[error("unknown agent {0}: use {names}", names = AgentName::ALL.map(|name| name.to_string()).join(", "))]
 pub struct UnknownAgent(String);
 
 impl AgentName {

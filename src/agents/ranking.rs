@@ -29,8 +29,8 @@ const REACHED_CELLS: usize = (SUPPRESSION_REACH + 1) / PX_PER_CELL;
 const BLOCK: usize = 8;
 const BLOCKS: usize = SIDE / BLOCK;
 
-/// Returns up to `attempts` valid, distinct balls, the most probable first. `logits` holds the success net's `[RADII,
-/// 64, 64]` maps; values that are not finite are omitted.
+/// Returns up to `attempts` valid, distinct balls, the most probable first. `logits` holds the success net's
+/// `[RADII, 64, 64]` maps; values that are not finite are omitted.
 pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let balls = FittingBalls::new(scene);
     let mut queue = Queue::new(logits, &balls);

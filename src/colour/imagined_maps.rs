@@ -63,6 +63,6 @@ impl FromStr for ImaginedMap {
     fn from_str(name: &str) -> Result<ImaginedMap, String> {
         let found = ImaginedMap::ALL.into_iter().find(|map| map.name() == name);
         let names = ImaginedMap::ALL.map(ImaginedMap::name).join(", ");
-        found.ok_or_else(|| format!("there is no map `{name}`: the maps are {names}"))
+        found.ok_or_else(|| format!("unknown map `{name}`: the maps are {names}"))
     }
 }

@@ -46,11 +46,11 @@ pub fn without_links(path: &Path) -> io::Result<PathBuf> {
         let Ok(next) = fs::read_link(&target) else { return Ok(fs::canonicalize(&target).unwrap_or(target)) };
         target = target.parent().unwrap_or(Path::new("")).join(next);
     }
-    Err(io::Error::other("its links lead in a circle"))
+    Err(io::Error::other("its symbolic links form a loop"))
 }
 
 fn cannot_write(path: &Path) -> String {
-    format!("cannot write {}: name a file in a folder that you may write to", path.display())
+    format!("cannot write {}: name a file in a writable folder", path.display())
 }
 
 /// Returns whether the path is a device or a pipe.

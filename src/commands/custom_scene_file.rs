@@ -28,5 +28,5 @@ pub fn read(path: &Path) -> anyhow::Result<Puzzle> {
     anyhow::ensure!(bytes.len() as u64 <= MAX_SIZE, "{shown} is larger than {MAX_SIZE} bytes, so it is not a scene");
     let text = utf8(&bytes).with_context(cannot_read)?;
     let value: Value = serde_json::from_str(text).with_context(|| format!("{shown} is not JSON"))?;
-    Puzzle::read(value).map_err(|problems| anyhow!("the scene of {shown} may not be played. {}", sentences(&problems)))
+    Puzzle::read(value).map_err(|problems| anyhow!("the scene of {shown} cannot be played. {}", sentences(&problems)))
 }

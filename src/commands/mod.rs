@@ -1,9 +1,9 @@
 //! The command line, one module per command; used by `main` only.
 //!
 //! A command is an `Args` with a `run`. Results go to standard output, progress and messages to standard error. Bad
-//! input is an error: one sentence after `error:`, exit code 2. If the reader closes standard output (`pathlight tasks
-//! | head`), the command ends quietly with success. Commands therefore write with `writeln!`, because `println!` would
-//! panic.
+//! input is an error: one sentence after `error:`, exit code 2. If the reader closes standard output
+//! (`pathlight tasks | head`), the command ends quietly with success. Commands therefore write with `writeln!`, because
+//! `println!` would panic.
 
 use std::process::ExitCode;
 

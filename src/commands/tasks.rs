@@ -87,7 +87,7 @@ impl Args {
     fn print_tasks(&self, out: &mut impl Write) -> anyhow::Result<()> {
         match (self.json, self.template, self.fold) {
             (Some(Some(id)), None, None) => print_json(out, &Task::load(id)?)?,
-            (Some(Some(_)), ..) => anyhow::bail!("--json names a single task: leave --template and --fold out"),
+            (Some(Some(_)), ..) => anyhow::bail!("--json names a single task: omit --template and --fold"),
             (Some(None), _, Some(fold)) => {
                 for id in self.part_of(fold) {
                     print_json(out, &Task::load(id)?)?;

@@ -37,7 +37,7 @@ impl Args {
             .collect::<io::Result<_>>()
             .with_context(|| format!("cannot read {name}"))?;
         let attempts: Vec<Line> = lines.into_iter().filter(|line| !line.is_blank()).collect();
-        anyhow::ensure!(!attempts.is_empty(), "{name} holds no attempts: export some on the page");
+        anyhow::ensure!(!attempts.is_empty(), "{name} contains no attempts: export some on the page");
         let verdicts: Vec<(usize, Verdict)> =
             attempts.into_par_iter().map(|line| (line.number, verdict(line.text))).collect();
         let count = |matches: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| matches(verdict)).count();

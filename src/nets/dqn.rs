@@ -74,8 +74,8 @@ struct ResidualBlock {
 
 /// The net's results for scenes, valid for any actions in them.
 pub struct SceneFeatures {
-    /// The outputs of the layer after the modulation for each single channel of features, `[scenes, FEATURES, 2 LAST
-    /// cells]`.
+    /// The outputs of the layer after the modulation for each single channel of features,
+    /// `[scenes, FEATURES, 2 LAST cells]`.
     of_features: Tensor<3>,
     /// The same for channels that are 1 everywhere, `[FEATURES, 2 LAST cells]`.
     of_ones: Tensor<2>,

@@ -33,7 +33,7 @@ pub enum WeightsError {
     NotSafetensors(safetensors::SafeTensorError),
     #[error("the file does not record how it was trained: train weights with `pathlight-lab train`")]
     NoCard,
-    #[error("the card of the weights cannot be read ({0}): they belong to other nets, or have to be trained again")]
+    #[error("the card of the weights cannot be read ({0}): they belong to other nets, or must be trained again")]
     BadCard(serde_json::Error),
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
@@ -47,12 +47,12 @@ pub enum WeightsError {
     #[error("`{name}` names the value {index}, which does not exist: download or train the weights again")]
     Outlier { name: String, index: u32 },
     #[error(
-        "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight-lab train dynamics`"
+        "the dynamics net of the weights learned from set cells, but its input is now the covered shares of cells: train it again with `pathlight-lab train dynamics`"
     )]
     SetCells,
     #[error("`{0}` holds a number that is not finite: download or train the weights again")]
     NotFinite(String),
-    #[error("the weights have {0} tensors that the nets lack: they belong to other nets")]
+    #[error("the weights have {0} unknown tensors: they belong to other nets")]
     Extra(usize),
     #[error(
         "`{name}` holds {value}, which half precision cannot represent: the training diverged, repeat it with a lower learning rate"

@@ -25,7 +25,7 @@ pub enum FormFault {
     #[error("`body1` and `body2` of the scene are the indices of two of its bodies, from 0: correct them")]
     Goal,
     #[error(
-        "body {0} of the scene has another role than it plays: `body1` is green and dynamic, `body2` blue if dynamic and \
+        "body {0} of the scene has the wrong role: `body1` is green and dynamic, `body2` blue if dynamic and \
          purple if not, every other body gray if dynamic and black if not"
     )]
     Role(usize),
@@ -34,7 +34,7 @@ pub enum FormFault {
     #[error("body {0} of the scene has a number beyond ±{FARTHEST}: lengths are px, angles are radians")]
     Number(usize),
     #[error(
-        "body {0} of the scene has a shape that is none: a circle has a radius of at least {SMALLEST} px, a polygon is convex, with three \
+        "body {0} of the scene has an invalid shape: a circle has a radius of at least {SMALLEST} px, a polygon is convex, with three \
          to {MAX_CORNERS} corners counter-clockwise and at least {SMALLEST} px from one another"
     )]
     Shape(usize),

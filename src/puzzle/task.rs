@@ -26,7 +26,7 @@ pub struct TaskId {
 pub enum TaskError {
     #[error("`{0}` is not a task id: write template and number like 00007:008")]
     Malformed(String),
-    #[error("there is no template `{0}`: they run from 00000 to {last:05}", last = TEMPLATES.len() - 1)]
+    #[error("unknown template `{0}`: templates run from 00000 to {last:05}", last = TEMPLATES.len() - 1)]
     NoTemplate(String),
     #[error("task {0} is not in the benchmark: `pathlight tasks --template {template:05}` lists the tasks of this template", template = .0.template)]
     NotInBenchmark(TaskId),

@@ -32,7 +32,7 @@ pub enum Engine {
 
 /// A name that belongs to no engine.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the engine {0} is not known here; the engines are box2d and, in the native program alone, rapier")]
+#[error("unknown engine {0}: the engines are box2d and, only in the native program, rapier")]
 pub struct UnknownEngine(String);
 
 impl Engine {

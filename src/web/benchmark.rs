@@ -61,11 +61,11 @@ pub fn auccess(
     #[wasm_bindgen(unchecked_param_type = "(number | null)[]")] first_solved: &JsValue,
 ) -> Result<f64, JsValue> {
     const RULE: &str = "the number of the first attempt that solved the task, counted from 1, or null";
-    let list = || error(Code::BadData, format!("auccess takes an array: for each task {RULE}"));
+    let list = || error(Code::BadData, format!("auccess takes an array with, for each task, {RULE}"));
     let firsts: &Array = first_solved.dyn_ref().ok_or_else(list)?;
     let attempt = |(index, first): (usize, JsValue)| -> Result<Option<usize>, JsValue> {
         let first = Some(first).filter(|first| !first.is_null() && !first.is_undefined());
-        let rule = format_args!("item {index} has to be {RULE}");
+        let rule = format_args!("item {index} must be {RULE}");
         first.map(|first| whole_number(&first, 1..=u32::MAX, rule).map(|number| number as usize)).transpose()
     };
     let attempts = firsts.iter().enumerate().map(attempt).collect::<Result<Vec<_>, _>>()?;

@@ -20,7 +20,7 @@ use crate::session::scene_check::problems;
 pub fn custom_scene(puzzle: JsPuzzle) -> Result<JsValue, JsValue> {
     let puzzle = load(&puzzle)?;
     let custom = puzzle.custom.or_else(|| CustomScene::of(&puzzle.scene));
-    to_js(&custom.ok_or_else(|| error(Code::BadScene, "the scene has a body of no known shape"))?)
+    to_js(&custom.ok_or_else(|| error(Code::BadScene, "the scene has a body of an unknown shape"))?)
 }
 
 /// Returns the reasons why a value cannot be played as a custom scene; an empty list if it can. Never throws: a value
@@ -68,7 +68,7 @@ pub fn paint_edited_scene(
     }
     let lengths = custom.bodies.iter().flat_map(|body| body.dimensions.lengths());
     if let Some((name, length, _)) = lengths.into_iter().find(|(_, length, _)| *length <= 0.0) {
-        return Err(error(Code::BadScene, format!("the {name} of a body is {length}, but has to be positive")));
+        return Err(error(Code::BadScene, format!("the {name} of a body is {length}, but must be positive")));
     }
     let scene = custom.to_scene();
     let mut view: View = from_js(view)?;

@@ -182,9 +182,9 @@ impl Model {
         Ok(Turn { turn: turn::Turn::new(scene, agent), memory: Some(memory) })
     }
 
-    /// Returns a memory of attempts for this model: empty, or read from JSON written by `Memory.toJson` or `pathlight
-    /// agent --memory`. Throws `bad_memory` if the JSON is damaged, has another format, or was learned with other
-    /// weights.
+    /// Returns a memory of attempts for this model: empty, or read from JSON written by `Memory.toJson` or
+    /// `pathlight agent --memory`. Throws `bad_memory` if the JSON is damaged, has another format, or was learned with
+    /// other weights.
     pub fn memory(&self, json: Option<String>) -> Result<Memory, JsValue> {
         Memory::new(&self.weights, json.as_deref())
     }

@@ -212,8 +212,7 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     let without = without_dynamics(folder.path());
     for agent in ["online", "online-by-balls", "dynamics"] {
         let words = format!(
-            "the weights have no dynamics net: train one with `pathlight-lab train dynamics`, or leave --agent {agent} \
-             out"
+            "the weights have no dynamics net: train one with `pathlight-lab train dynamics`, or omit --agent {agent}"
         );
         assert_refused(&["agent", "--weights", &without, "--agent", agent], &words);
     }

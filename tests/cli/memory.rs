@@ -91,7 +91,7 @@ fn a_program_that_is_killed_has_kept_the_puzzles_that_were_over() {
     for line in puzzle("00002:007", true).iter().chain(begun) {
         agent.ask(&line.to_string());
     }
-    assert_refused(&[&RANDOM[..], &["--memory", &file]].concat(), "another process uses the memory");
+    assert_refused(&[&RANDOM[..], &["--memory", &file]].concat(), "another process is using the memory");
     agent.kill();
     let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
     assert_eq!(kept["puzzles"][0]["task"], "00002:007");
@@ -147,7 +147,7 @@ fn a_memory_is_kept_and_locked_where_links_lead() {
     let mut agent = Partner::new(&[&RANDOM[..], &["--memory", &link]].concat());
     agent.ask(&puzzle("00002:007", true)[0].to_string());
     for name in [&file, &link, &other] {
-        assert_refused(&[&RANDOM[..], &["--memory", name]].concat(), "another process uses the memory");
+        assert_refused(&[&RANDOM[..], &["--memory", name]].concat(), "another process is using the memory");
     }
     agent.kill();
     answers(&["--memory", &other], &puzzle("00002:007", true));
@@ -162,7 +162,7 @@ fn remember_and_forget_are_refused_where_they_mean_nothing() {
         json!({ "task": "00002:007", "forget": true }),
         json!({ "remember": true }),
     ];
-    let words = ["belongs on the line that begins", "line of its own", "are missing"];
+    let words = ["belongs on the line that begins", "on a separate line", "are missing"];
     for (answer, words) in answers(&[], &lines).iter().zip(words) {
         assert!(answer["error"].as_str().is_some_and(|said| said.contains(words)), "{answer}");
     }

@@ -41,7 +41,7 @@ fn the_other_engine_names_itself_in_answers_and_attempts() {
     let lines = of(&["--verifiable", "--engine", "rapier"]) + &of(&["--verifiable"]);
     assert!(lines.contains(r#""engine":"rapier""#), "{lines}");
     assert_eq!(run(&["verify", "-"], &lines).status.code(), Some(0));
-    assert_refused(&["simulate", "--task", TASK, "--engine", "soup"], "the engine soup is not known");
+    assert_refused(&["simulate", "--task", TASK, "--engine", "soup"], "unknown engine soup");
 }
 
 #[test]

@@ -120,11 +120,11 @@ fn the_json_reads_as_the_reference_lines_do() {
 
 #[test]
 fn refuses_what_is_no_task_in_words() {
-    assert_refused(&["tasks", "--template", "00025"], "they run from 00000 to 00024");
-    assert_refused(&["tasks", "--template", "+7"], "there is no template");
+    assert_refused(&["tasks", "--template", "00025"], "templates run from 00000 to 00024");
+    assert_refused(&["tasks", "--template", "+7"], "unknown template");
     assert_refused(&["tasks", "--json", "7:13"], "write template and number like 00007:008");
     assert_refused(&["tasks", "--json", "00000:999"], "pathlight tasks --template 00000");
-    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "leave --template and --fold out");
+    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "omit --template and --fold");
     for fold in ["10", "-1", "1.5", "all"] {
         assert_refused(&["tasks", &format!("--fold={fold}")], "the folds are 0 to 9");
         assert_refused(&["propose", &format!("--fold={fold}")], "the folds are 0 to 9");

@@ -25,7 +25,7 @@ const MAX_FORGOTTEN: u32 = u32::MAX / 2;
 pub enum MemoryError {
     #[error(transparent)]
     Text(#[from] NotUtf8),
-    #[error("this is no memory, or it is damaged: {0}")]
+    #[error("this is not a memory, or it is damaged: {0}")]
     Json(serde_json::Error),
     #[error("this memory has format {0}, but this program reads format {FORMAT}: begin a new one")]
     Format(u32),
@@ -37,9 +37,11 @@ pub enum MemoryError {
     Task { puzzle: usize, why: TaskError },
     #[error("puzzle {puzzle} of this memory is damaged: {why}")]
     Scene { puzzle: usize, why: FormFault },
-    #[error("this memory is damaged: it says that {0} puzzles were forgotten")]
+    #[error("this memory is damaged: it cannot have forgotten {0} puzzles")]
     Forgotten(u32),
-    #[error("attempt {attempt} at puzzle {puzzle} of this memory is damaged: a ball has to be valid, a chance 0 to 1")]
+    #[error(
+        "attempt {attempt} at puzzle {puzzle} of this memory is damaged: the ball must be valid and the chance 0 to 1"
+    )]
     Attempt { puzzle: usize, attempt: usize },
 }
 

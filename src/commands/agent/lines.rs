@@ -67,7 +67,7 @@ impl Line {
         let begins = |puzzle| Line::Begin { puzzle, remember };
         match (task, scene, status, forget) {
             (None, None, None, true) if !remember => Ok(Line::Forget),
-            (_, _, _, true) => bail!("`forget` belongs on a line of its own: {{\"forget\":true}}"),
+            (_, _, _, true) => bail!("`forget` belongs on a separate line: {{\"forget\":true}}"),
             (task, None, Some(status), false) => {
                 let sampled = |paths: RecordedPaths| {
                     let [object, ball] = [&paths.object, &paths.ball].map(|path| path.len());
@@ -81,14 +81,14 @@ impl Line {
                          tenth step: leave out those between, or `paths` if there are none",
                         RecordedPaths::MOST
                     );
-                    paths.sampled().context("`paths` has poses that lie too far apart: correct them")
+                    paths.sampled().context("`paths` has poses that are too far apart: correct them")
                 };
                 Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()?.map(Box::new) })
             }
             (Some(task), None, None, false) => Ok(begins(Begun::Task(task))),
             (None, Some(scene), None, false) => scene_line(scene).map(begins),
             (None, None, None, false) => bail!("`task`, `scene` and `status` are missing; {EXAMPLES}"),
-            _ => bail!("`task`, `scene` and `status` belong on lines of their own; {EXAMPLES}"),
+            _ => bail!("`task`, `scene` and `status` belong on separate lines; {EXAMPLES}"),
         }
     }
 }

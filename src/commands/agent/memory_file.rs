@@ -35,7 +35,7 @@ impl MemoryFile {
         let lock = lock_file(&file);
         let lock = File::create(&lock).with_context(|| format!("cannot write {}", lock.display()))?;
         if let Err(TryLockError::WouldBlock) = lock.try_lock() {
-            bail!("another process uses the memory in {name}: wait until it has ended, or name another file");
+            bail!("another process is using the memory in {name}: wait until it ends, or name another file");
         }
         let mut opened = MemoryFile { file, _lock: lock, weights, written: String::new() };
         let mut memory = Memory::default();

@@ -23,8 +23,8 @@ mod player;
 
 /// Play against any simulator: read tasks and outcomes as JSON lines, and answer each with the next ball
 ///
-/// {"task":"00007:008"} begins a puzzle. So does {"scene":{…}}, with a scene as printed by `tasks --json` or `tasks
-/// --custom`. The answer is {"line","task","ball":[x,y,r]}: the number of the line, and the first ball in px.
+/// {"task":"00007:008"} begins a puzzle. So does {"scene":{…}}, with a scene as printed by `tasks --json` or
+/// `tasks --custom`. The answer is {"line","task","ball":[x,y,r]}: the number of the line, and the first ball in px.
 ///
 /// {"status":"solved"}, "not_solved" or "invalid" is the outcome of that ball. The line may also have
 /// "paths":{"object":[[x,y,angle],…],"ball":[…]}, the poses of the green object and of the ball at the start and at

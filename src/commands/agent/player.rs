@@ -105,7 +105,7 @@ impl Player {
                 ensure!(task.is_none() || task == puzzle.task, "this is the outcome of another task");
                 ensure!(
                     ball.is_none_or(|ball| ball == asked.ball),
-                    "this is the outcome of another ball: the one that waits is {}",
+                    "this is the outcome of another ball: send that of {}",
                     asked.ball
                 );
                 if let Some((source, scene)) = puzzle.remembered.as_ref().filter(|_| status != Status::Invalid) {

@@ -75,13 +75,13 @@ impl TryFrom<Keys> for Request {
         let place = match (task, scene) {
             (Some(task), None) => Place::Task(task),
             (None, Some(scene)) => Place::Scene(scene),
-            (Some(_), Some(_)) => return Err("`task` and `scene` exclude each other: leave one out"),
+            (Some(_), Some(_)) => return Err("`task` and `scene` exclude each other: omit one"),
             (None, None) => return Err("`task` or `scene` is missing"),
         };
         let start = match (ball, action) {
             (Some(ball), None) => Start::Ball(ball.map(whole).transpose()?),
             (None, Some(action)) => Start::Action(action),
-            (Some(_), Some(_)) => return Err("`ball` and `action` exclude each other: leave one out"),
+            (Some(_), Some(_)) => return Err("`ball` and `action` exclude each other: omit one"),
             (None, None) => return Err("`ball` or `action` is missing; \"ball\":null simulates without a ball"),
         };
         Ok(Request { place, start })

@@ -200,8 +200,8 @@ fn interleave(to: &mut [f32], even: &[f32], odd: &[f32]) {
 }
 
 /// Returns the sums of `REGISTERS` registers of neighbouring columns in `CHANNELS` output channels. For each input
-/// channel, a pair of taps covers the cells from its offset onwards and their right neighbours; `weights` are `[input
-/// channels][pairs][left, right][output channels]`.
+/// channel, a pair of taps covers the cells from its offset onwards and their right neighbours; `weights` are
+/// `[input channels][pairs][left, right][output channels]`.
 #[inline(always)]
 fn tile<S: Simd, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usize>(
     simd: S,
