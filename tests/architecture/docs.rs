@@ -101,7 +101,7 @@ fn no_link_leads_nowhere() {
             }
         }
     }
-    assert!(broken.is_empty(), "\nthese links lead nowhere:\n{}", broken.join("\n"));
+    assert!(broken.is_empty(), "\nthese links are broken:\n{}", broken.join("\n"));
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn every_file_that_is_named_exists() {
         let gone = named_files(&page.text).into_iter().filter(|path| !root().join(path).exists());
         missing.extend(gone.map(|path| format!("{}: {path}", page.path)));
     }
-    assert!(missing.is_empty(), "\nthese files are named, and do not exist:\n{}", missing.join("\n"));
+    assert!(missing.is_empty(), "\nthese named files do not exist:\n{}", missing.join("\n"));
 }
 
 #[test]

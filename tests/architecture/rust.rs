@@ -53,7 +53,7 @@ const RULES: &[Rule] = &[
     Rule {
         words: &["rapier2d"],
         files: Only(&["simulator/"]),
-        reason: "one folder stands between the engine and the rest, so that the engine can change alone",
+        reason: "one folder separates the engine from the rest, so that the engine can be replaced",
     },
     Rule {
         words: &["burn::", "use burn"],
@@ -88,12 +88,12 @@ const RULES: &[Rule] = &[
             "f32::sin", "f32::cos", "f32::tan", "f32::exp", "f32::ln", "f32::log",
         ],
         files: Never(DETERMINISTIC),
-        reason: "the standard library's differ between machines in the last bit; use libm",
+        reason: "the standard library's results differ between machines in the last bit; use libm",
     },
     Rule {
         words: &["HashMap", "HashSet"],
         files: Never(DETERMINISTIC),
-        reason: "their order differs from run to run; use Vec or BTreeMap",
+        reason: "iteration order differs from run to run; use Vec or BTreeMap",
     },
     Rule {
         words: &["crate::"],
@@ -108,24 +108,24 @@ const RULES: &[Rule] = &[
     Rule {
         words: &["md5", "rand_mt"],
         files: Only(&["puzzle/"]),
-        reason: "PHYRE's shuffles and NumPy's random numbers select its tasks and actions, and nothing of ours",
+        reason: "PHYRE's shuffles and NumPy's random numbers select its tasks and actions, and nothing else",
     },
     Rule {
         words: &["unsafe "],
         files: Only(&["nets/conv/matmul.rs"]),
-        reason: "gemm is called by pointers; everything else is checked by the compiler",
+        reason: "gemm is called with raw pointers; the compiler checks everything else",
     },
     Rule {
         words: &["println!", "eprintln!", "print!", "eprint!", "dbg!"],
         files: Only(&[]),
-        reason: "the library returns what it has to say; commands use `writeln!`, because `println!` panics when nobody reads",
+        reason: "the library returns values and does not print; commands use `writeln!`, because `println!` panics when nobody reads",
     },
     Rule {
         words: &["anyhow", "clap", "indicatif"],
         files: Only(&["main.rs", "command_line/", "commands/"]),
         reason: "the library's errors are types that a caller can match",
     },
-    Rule { words: &["pathlight_lab"], files: Only(&[]), reason: "the player knows nothing of the research behind it" },
+    Rule { words: &["pathlight_lab"], files: Only(&[]), reason: "the player must not depend on the lab" },
 ];
 
 const LAB_RULES: &[Rule] = &[
@@ -137,7 +137,7 @@ const LAB_RULES: &[Rule] = &[
     Rule {
         words: &["println!", "eprintln!", "print!", "eprint!", "dbg!", "stdout()", "stderr()"],
         files: Only(&["commands/"]),
-        reason: "the library returns what it has to say, or writes it where it is told to",
+        reason: "the library returns values or writes to a given destination",
     },
     Rule {
         words: &["burn::", "use burn", "rapier2d"],

@@ -1,8 +1,8 @@
 //! One optimiser step of the dynamics net.
 //!
-//! The loss is a weighted sum of the binary cross-entropies of the three chances (of the ball's cell, of the ball, and
-//! from its paths alone) and the mean distances of the coordinates and of the expected errors. Without the last two,
-//! the net's paths are whatever helps the chances: an ablation.
+//! The loss is the sum of the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from
+//! its paths alone) and of the weighted mean distances of the coordinates and of the expected errors. Without these
+//! two, the net's paths are whatever helps the chances: an ablation.
 
 use burn::tensor::{Tensor, TensorData};
 

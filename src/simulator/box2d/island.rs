@@ -68,7 +68,7 @@ impl Island {
     }
 
     /// Solves the two bodies of a time of impact, the first two of the island, at their current positions, and moves
-    /// them for the rest of the step, s (SolveTOI). All other bodies are static.
+    /// them for the rest of the step, s (SolveTOI). All other bodies are static, so they need not be held.
     pub(super) fn solve_toi(
         &mut self,
         bodies: &mut [Body],
