@@ -1,9 +1,9 @@
-//! Chooses how alike the online agent finds two candidates: auccess on the dev tasks of the weights' fold for a grid of
+//! Chooses the online agent's similarity: prints the auccess on the dev tasks of the weights' fold for a grid of
 //! similarities.
 //!
-//! Every candidate of these tasks is simulated once beforehand, so that a turn takes little time. That is for choosing
-//! constants only: an agent is told nothing but its counted attempts. Only weights that were trained without the dev
-//! tasks tell how it does on new ones: `cargo bench --features ndarray --bench online -- WEIGHTS`.
+//! Every candidate of these tasks is simulated once in advance, so a turn takes little time. This is only for choosing
+//! constants: an agent learns only from its counted attempts. The figures predict performance on new tasks only if the
+//! weights were trained without the dev tasks: `cargo bench --features ndarray --bench online -- WEIGHTS`.
 
 use std::io::{self, Write};
 
@@ -18,11 +18,11 @@ use pathlight::puzzle::task::Task;
 use pathlight::simulator::sampled_paths;
 use rayon::prelude::*;
 
-/// Variances and length scales, px, of balls and of paths; a variance of zero leaves them out.
+/// Variances and length scales, px, of balls and of paths; a variance of zero disables the term.
 const BALLS: [(f64, f64); 6] = [(0.0, 1.0), (8.0, 4.5), (16.0, 4.5), (16.0, 7.0), (32.0, 4.5), (32.0, 7.0)];
 const PATHS: [(f64, f64); 6] = [(0.0, 1.0), (0.5, 8.0), (1.0, 10.0), (2.0, 8.0), (4.0, 10.0), (4.0, 18.0)];
 
-/// The candidates of a task, and what becomes of each.
+/// The candidates of a task, and the outcome of each.
 type Puzzle = (Vec<Candidate>, Vec<Observation>);
 
 fn main() -> io::Result<()> {

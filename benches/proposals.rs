@@ -1,7 +1,7 @@
-//! The speed of what the page asks of the model, natively on one thread: the maps of a scene and a hundred proposed
+//! Times what the page computes with the model, natively on one thread: the maps of a scene and a hundred proposed
 //! balls, and each part of them.
 //!
-//! Every time is for 50 scenes, two of each template: `cargo bench --features ndarray --bench proposals`.
+//! Every time is the total for 50 scenes, two of each template: `cargo bench --features ndarray --bench proposals`.
 
 use std::hint::black_box;
 

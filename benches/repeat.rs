@@ -1,10 +1,10 @@
-//! The protocol between an implementation in Rust and `bench.mjs`.
+//! The protocol between a Rust implementation and `bench.mjs`.
 
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
-/// Prints the result to compare, as JSON, then times as many repetitions as each line of standard input asks for.
-/// `work` returns how long it took.
+/// Prints the result to compare, as JSON. Then reads numbers of repetitions from standard input, one per line, and
+/// times each repetition. `work` returns its own duration.
 pub fn repeat(result: &str, mut work: impl FnMut() -> Duration) {
     let mut output = io::stdout().lock();
     let mut say = |line: &str| writeln!(output, "{line}").and_then(|()| output.flush()).expect("bench.mjs reads this");
@@ -16,7 +16,7 @@ pub fn repeat(result: &str, mut work: impl FnMut() -> Duration) {
     }
 }
 
-/// Returns how long a piece of work takes.
+/// Returns how long `work` takes.
 pub fn stopwatch<T>(work: impl FnOnce() -> T) -> Duration {
     let start = Instant::now();
     std::hint::black_box(work());

@@ -1,7 +1,7 @@
 //! Pathlight plays PHYRE's 25 ball templates and shows the paths that four small nets imagine for them.
 //!
-//! A task is a scene and a goal: the green body has to touch its goal for three seconds. An action places one
-//! red ball. The simulator computes the rollout; an agent proposes balls.
+//! A task is a scene and a goal: the green object must touch its goal for three seconds. An action places one red ball.
+//! The simulator computes the rollout; an agent proposes balls.
 //!
 //! ```
 //! use pathlight::puzzle::{action::Action, task::Task};
@@ -16,7 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The modules from the data outwards; each uses only those above it (`tests/architecture` checks the order):
+//! The modules, from the data outwards. Each uses only those above it (`tests/architecture` checks the order):
 //!
 //! | module | holds |
 //! | --- | --- |
@@ -33,7 +33,7 @@
 //! | `web` | the wasm exports; wasm32 only |
 //! | `command_line` | what the programs `pathlight` and `pathlight-lab` share; for these alone |
 //!
-//! `nets`, `agents` and whatever proposes balls by them need the feature `nets`, which is on by default.
+//! `nets`, `agents` and everything that uses them need the feature `nets`, which is on by default.
 
 #![warn(missing_docs, unreachable_pub)]
 

@@ -1,6 +1,6 @@
 //! The native binary: `pathlight COMMAND …`. See `commands`.
 //!
-//! In a wasm32 build, which has no command line, `main` does nothing.
+//! In a wasm32 build, where there is no command line, `main` does nothing.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod commands;

@@ -1,5 +1,4 @@
-//! Attempts that anyone can verify: what was played, the ball, and the digest of the whole rollout, one JSON line for
-//! each.
+//! Attempts that anyone can verify: the puzzle, the ball, and the digest of the whole rollout, one JSON line each.
 //!
 //! The page exports such lines and reads them back; `pathlight verify` simulates each again.
 
@@ -13,7 +12,7 @@ use crate::puzzle::task::{Task, TaskId};
 use crate::session::puzzle::Puzzle;
 use crate::simulator::{Digest, Engine};
 
-/// An attempt, and what came of it. Exactly one of `task` and `scene` is there.
+/// An attempt and its outcome. Exactly one of `task` and `scene` is present.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AttemptLine {
     /// A task of the benchmark.
@@ -24,53 +23,53 @@ pub struct AttemptLine {
     pub scene: Option<Value>,
     /// px; null if the scene ran without a ball, or, with the status `invalid`, if an action placed none.
     pub ball: Option<Ball>,
-    /// What simulated it; absent if that is `box2d`.
+    /// The engine that simulated it; absent if that is `box2d`.
     #[serde(default, skip_serializing_if = "Engine::is_first")]
     pub engine: Engine,
     /// The version of the engine.
     pub simulator: u32,
-    /// How it ended.
+    /// The status of the attempt.
     pub status: Status,
-    /// Simulated steps; 0 if the ball is invalid.
+    /// Number of simulated steps; 0 if the ball is invalid.
     pub steps: usize,
-    /// `simulator::Digest`; that of no steps if the ball is invalid.
+    /// `simulator::Digest` of the rollout; if the ball is invalid, the digest of no steps.
     pub digest: String,
 }
 
-/// What became of an attempt that was simulated again. Each `reason` is a sentence.
+/// The result of simulating an attempt again. Each `reason` is a sentence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "verdict", rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the fields are those of `AttemptLine`, as they are now")]
 pub enum Verdict {
-    /// Status, steps and every bit of every pose.
+    /// Status, steps and every bit of every pose are the same.
     Same,
-    /// Status, steps or poses differ; these are those found now.
+    /// Status, steps or poses differ; these are the new ones.
     OtherOutcome { status: Status, steps: usize, reason: String },
-    /// Why it cannot be simulated.
+    /// The attempt cannot be simulated, for this reason.
     NotValid { fault: LineFault, reason: String },
 }
 
-/// What is wrong with an attempt that cannot be simulated.
+/// The kind of fault of an attempt that cannot be simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LineFault {
     /// It does not have the form of an attempt.
     Form,
-    /// Its task or scene is none that can be simulated.
+    /// Its task or scene cannot be simulated.
     Puzzle,
-    /// Its ball may not be placed.
+    /// Its ball is invalid.
     Ball,
 }
 
 impl Verdict {
-    /// Returns that an attempt cannot be simulated.
+    /// Returns the verdict for an attempt that cannot be simulated.
     pub fn not_valid(fault: LineFault, reason: impl Into<String>) -> Verdict {
         Verdict::NotValid { fault, reason: reason.into() }
     }
 }
 
 impl AttemptLine {
-    /// Simulates a ball, or the scene alone without one, and returns the line of it.
+    /// Simulates a ball, or the scene alone without one, and returns the attempt.
     pub fn of(puzzle: &Puzzle, ball: Option<Ball>, engine: Engine) -> AttemptLine {
         let nothing = AttemptLine { ball, ..AttemptLine::placing_no_ball(puzzle, engine) };
         match engine.digest(&puzzle.scene, ball) {
@@ -82,7 +81,7 @@ impl AttemptLine {
         }
     }
 
-    /// Returns the line of an action that places no ball.
+    /// Returns the attempt for an action that places no ball.
     pub fn placing_no_ball(puzzle: &Puzzle, engine: Engine) -> AttemptLine {
         AttemptLine {
             task: puzzle.id.task(),
@@ -96,10 +95,11 @@ impl AttemptLine {
         }
     }
 
-    /// Returns what was played.
+    /// Returns the puzzle of the attempt.
     ///
     /// # Errors
-    /// Why it cannot be played, in a sentence.
+    ///
+    /// The reason why it cannot be played, as a sentence.
     fn puzzle(&self) -> Result<Puzzle, String> {
         match (self.task, &self.scene) {
             (Some(task), None) => Task::load(task).map(Puzzle::from).map_err(|why| why.to_string()),
@@ -108,7 +108,7 @@ impl AttemptLine {
         }
     }
 
-    /// Simulates the attempt again and compares.
+    /// Simulates the attempt again and compares the results.
     ///
     /// ```
     /// use pathlight::puzzle::{action::Ball, task::Task};
@@ -122,9 +122,9 @@ impl AttemptLine {
     pub fn verify(&self) -> Verdict {
         let is_digest =
             || self.digest.len() == 16 && self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
-        // Other versions may have written another one.
+        // Other versions may have written digests of another form.
         if self.simulator == self.engine.version() && !is_digest() {
-            let reason = "`digest` is none: a digest has 16 hexadecimal digits, in lower case.";
+            let reason = "`digest` is not valid: a digest has 16 lowercase hexadecimal digits.";
             return Verdict::not_valid(LineFault::Form, reason);
         }
         let again = match (self.puzzle(), self.ball, self.status) {
@@ -133,7 +133,7 @@ impl AttemptLine {
             (Ok(puzzle), ball, _) => AttemptLine::of(&puzzle, ball, self.engine),
         };
         if again.status == Status::Invalid && self.status != Status::Invalid {
-            return Verdict::not_valid(LineFault::Ball, "The ball may not be placed there.");
+            return Verdict::not_valid(LineFault::Ball, "The ball is not valid there.");
         }
         let version = match (self.simulator, again.simulator) {
             (one, other) if one == other => String::new(),

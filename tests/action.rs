@@ -1,4 +1,4 @@
-//! Which actions are valid, and which ball they place: PHYRE's rule, at its edges.
+//! PHYRE's rule for valid actions and the balls that they place, at its edges.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::puzzle::action::{Action, Ball, Invalid, Obstacles, RADIUS, overlaps};
@@ -7,7 +7,7 @@ use pathlight::puzzle::task::{self, Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use proptest::prelude::*;
 
-/// A scene of one static body in the middle; of none for `None`.
+/// A scene of one static body in the middle, or of no body for `None`.
 fn scene_with(shape: Option<Shape>) -> Scene {
     let body = |shape| Body {
         x: 128.0,
@@ -21,7 +21,7 @@ fn scene_with(shape: Option<Shape>) -> Scene {
     Scene { body1: 0, body2: 0, bodies: shape.into_iter().map(body).collect() }
 }
 
-/// The action whose ball has this centre and radius before rounding, px.
+/// Returns the action whose ball has this centre and radius before rounding, px.
 fn action(x: f64, y: f64, r: f64) -> Action {
     Action { x: x / 255.0, y: y / 255.0, r: (r - 2.0) / 30.0 }
 }
@@ -60,10 +60,10 @@ fn a_ball_may_touch_the_edges_of_the_scene() {
 #[test]
 fn a_ball_is_inside_the_scene_before_and_after_rounding() {
     let empty = scene_with(None);
-    // Inside before: 5.4 <= 5.7. After: the radius 5 is inside, the radius 6 is not.
+    // Inside before rounding: 5.4 <= 5.7. After rounding, the radius 5 is inside, the radius 6 is not.
     assert_eq!(action(5.7, 100.0, 5.4).place(&empty), Ok(Ball { x: 5.0, y: 100.0, r: 5.0 }));
     assert_eq!(action(5.7, 100.0, 5.6).place(&empty), Err(Invalid::Outside));
-    // Outside before, although the rounded ball would be inside.
+    // Outside before rounding, although the rounded ball would be inside.
     assert_eq!(action(5.1, 100.0, 5.4).place(&empty), Err(Invalid::Outside));
 }
 
@@ -104,7 +104,7 @@ fn a_radius_out_of_range_is_invalid() {
     }
 }
 
-/// The exact distance between a point and a body, px, by the textbook, with no shortcut; not positive inside.
+/// Returns the exact distance between a point and a body, px, by the textbook formula; not positive inside.
 fn distance_to_body([x, y]: [f64; 2], body: &Body) -> f64 {
     let to_shape = |shape: &Shape| match shape {
         Shape::Circle(radius) => libm::hypot(x - body.x, y - body.y) - radius,

@@ -1,5 +1,5 @@
-//! The shipped models are complete: assets/model.json lists every weights file with its size and hash, the nets load
-//! it, and it is rounded.
+//! The shipped models are complete: assets/model.json lists every weights file with its size and hash, the nets can
+//! load it, and its weights are rounded.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;
@@ -9,7 +9,7 @@ use pathlight::nets::PathNet;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-/// Largest size of a model, bytes.
+/// Maximum size of a model, bytes.
 const MAX_BYTES: usize = 3_720_000;
 
 #[test]

@@ -1,8 +1,8 @@
 //! Every task is PHYRE's: same bodies in the same order, same roles, goal and parameters, same coordinates.
 //!
-//! The first test compares all tasks with PHYRE's own. That data is not part of the project: PATHLIGHT_PHYRE
-//! names the folder that has `tasks/00000.jsonl` and so on, and `--include-ignored` runs the test.
-//! The second needs no data: it compares with one digest per template, taken when all scenes conformed.
+//! The first test compares all tasks with PHYRE's own data, which are not part of the project: PATHLIGHT_PHYRE names
+//! the folder with `tasks/00000.jsonl` and so on, and `--include-ignored` runs the test. The second test needs no data.
+//! It compares with one digest per template, taken when all scenes conformed.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::{env, fs, path::Path};
@@ -14,7 +14,7 @@ use pathlight::puzzle::templates::{TASKS, TEMPLATES};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-/// How far a coordinate (px) or an angle (rad) may be off. The reference has six decimals.
+/// Tolerance of a coordinate (px) or an angle (rad). The reference has six decimals.
 const TOLERANCE: f64 = 1e-4;
 
 #[derive(Deserialize)]
@@ -66,7 +66,7 @@ fn every_scene_is_phyres() {
     assert_eq!(conforming, TEMPLATES.len() * TASKS);
 }
 
-/// Returns the difference between the task and PHYRE's, in words.
+/// Describes the difference between the task and PHYRE's.
 fn difference(task: &Task, reference: &Reference) -> Option<String> {
     let scene = &task.scene;
     let goal = (&task.goal, scene.body1, scene.body2);
@@ -88,7 +88,7 @@ fn difference(task: &Task, reference: &Reference) -> Option<String> {
     Some(format!("differs in body {body}: {:?}", scene.bodies[body]))
 }
 
-/// Whether the parameters are equal, numbers to within 1e-9.
+/// Returns whether the parameters are equal, numbers to within 1e-9.
 fn same_params(params: &Map<String, Value>, expected: &Map<String, Value>) -> bool {
     let same = |value: &Value, expected: &Value| match (value.as_f64(), expected.as_f64()) {
         (Some(value), Some(expected)) => (value - expected).abs() <= 1e-9,

@@ -1,9 +1,9 @@
 //! Random scenes within the limits round-trip through JSON and never break the simulator: no panic, no pose that is not
-//! a number, and no more steps than there are. The walls, 5 px thick as in PHYRE, do not hold a light body that is
-//! squeezed under a heavy or between static ones; such scenes are rare, and counted.
+//! a number, and no more steps than the maximum. The walls, 5 px thick as in PHYRE, do not hold a light body that is
+//! squeezed under a heavy one or between static ones. Such scenes are rare, and counted.
 //!
-//! `PATHLIGHT_SCENES=1000000 cargo test --release --test custom_scenes -- --nocapture` tries more of them, and says how
-//! far it is; `PATHLIGHT_FIRST_SCENE` goes on from there. The slower rapier gets a fiftieth.
+//! `PATHLIGHT_SCENES=1000000 cargo test --release --test custom_scenes -- --nocapture` tries more scenes and prints its
+//! progress; `PATHLIGHT_FIRST_SCENE` continues from there. The slower rapier gets a fiftieth of the scenes.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::f64::consts::TAU;
@@ -19,17 +19,17 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-/// Where a dynamic body may be, px: the walls are at 0 and 256, and a body that is pressed into one is pushed out
-/// again.
+/// Range of positions allowed for a dynamic body, px: the walls are at 0 and 256, and a body that is pressed into one
+/// is pushed out again.
 const INSIDE: RangeInclusive<f32> = -32.0..=288.0;
 
-/// Of this many scenes at most one lets a body out; of a million, seven did.
+/// At most one of this many scenes lets a body out. In a million, seven did.
 const SCENES_PER_ESCAPE: u64 = 50_000;
 
-/// Scenes in a usual run.
+/// Number of scenes in a normal run.
 const SCENES: u64 = 10_000;
 
-/// Draws a number of a range, often one of its ends or a small one.
+/// Draws a number from a range, often one of its ends or a small one.
 fn length(random: &mut impl Rng, range: RangeInclusive<f64>) -> f64 {
     let (least, most) = range.into_inner();
     match random.random_range(0..8) {
@@ -52,20 +52,20 @@ fn body(random: &mut impl Rng) -> CustomBody {
     CustomBody { dimensions, x, y, angle, dynamic: random.random() }
 }
 
-/// Returns a scene that may be played: bodies are added as long as the check allows them.
+/// Returns a playable scene: bodies are added as long as the check allows them.
 fn scene(seed: u64) -> CustomScene {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let wanted = random.random_range(2..24);
     let mut scene = CustomScene { version: VERSION, name: None, body1: 0, body2: 1, bodies: Vec::new() };
     let mut tries = 0;
-    // A crowded scene may have no room for more.
+    // A crowded scene may have no room for more bodies.
     while scene.bodies.len() < 2 || (scene.bodies.len() < wanted && tries < 200) {
         tries += 1;
         let mut next = body(&mut random);
         next.dynamic |= scene.bodies.is_empty();
         scene.bodies.push(next);
         let problems = problems(&scene);
-        // The first alone lacks a goal, which is no problem of its own.
+        // A single body lacks a goal, which is not a problem of that body.
         let refused = if scene.bodies.len() < 2 {
             problems.iter().any(|problem| problem.body.is_some())
         } else {
@@ -95,7 +95,7 @@ fn random_scenes_come_back_from_json_and_never_break_the_simulator() {
     );
 }
 
-/// One of 100,000 random scenes had such a wedge: without a limit the impulses on the ball grow by a tenth in each
+/// One of 100,000 random scenes had such a wedge. Without a limit, the impulses on the ball grow by a tenth in each
 /// step.
 #[test]
 fn a_ball_that_is_wedged_between_static_bodies_stays_a_ball() {
@@ -113,7 +113,7 @@ fn a_ball_that_is_wedged_between_static_bodies_stays_a_ball() {
 
 #[test]
 fn nor_do_they_break_rapier() {
-    // It more often pushes bodies that are pressed into a wall through it.
+    // It more often pushes bodies that are pressed into a wall through the wall.
     let Range { start, end } = seeds();
     try_scenes(start / 50..end / 50, Engine::Rapier);
 }

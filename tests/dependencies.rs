@@ -1,5 +1,5 @@
-//! The crates that are compiled, as `deny.toml` allows them: licences, sources, none that is banned, and in the page
-//! one version of each. cargo-deny reads the same file; it takes longer to compile than all else that only tests need.
+//! The compiled crates conform to `deny.toml`: licences, sources, no banned crates, and in the page only one version of
+//! each. cargo-deny reads the same file, but takes longer to compile than all other test-only dependencies.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,7 +47,7 @@ fn toml(file: &str) -> Table {
     fs::read_to_string(file).expect("a file").parse().unwrap_or_else(|why| panic!("{file}: {why}"))
 }
 
-/// The texts under these keys of deny.toml, and in entries the names of their crates.
+/// Returns the texts under these keys of deny.toml; for entries, the names of their crates.
 fn listed(section: &str, key: &str) -> Vec<String> {
     let deny = toml("deny.toml");
     let list = deny[section][key].as_array().expect("a list").iter();

@@ -1,4 +1,5 @@
-//! The Rust example compiles and runs. Those of the npm package run in `tests/package`, those in Python in `tests/cli`.
+//! The Rust example compiles and runs. The npm package's examples run in `tests/package`, the Python ones in
+//! `tests/cli`.
 #![cfg(not(target_arch = "wasm32"))]
 
 include!("../examples/solve.rs");

@@ -1,4 +1,4 @@
-//! `make play` on a bare machine: what a person has to install is named, with the remedy, before anything is compiled.
+//! `make play` on a bare machine: each missing program is named, with the remedy, before anything is compiled.
 #![cfg(unix)]
 
 use std::env;
@@ -9,10 +9,10 @@ use std::process::Command;
 
 use tempfile::{TempDir, tempdir};
 
-/// What every system has and the scripts use.
+/// The commands that every system has and the scripts use.
 const SYSTEM: [&str; 5] = ["bash", "cut", "dirname", "sed", "sort"];
 
-/// A machine with nothing but the system's commands.
+/// A machine with only the system's commands.
 struct Machine {
     programs: TempDir,
 }
@@ -28,12 +28,12 @@ impl Machine {
         Machine { programs }
     }
 
-    /// Adds a program of this version, which does nothing else.
+    /// Adds a program with this version, which does nothing else.
     fn with(self, name: &str, version: &str) -> Machine {
         self.with_failing(name, version, 0)
     }
 
-    /// Adds a program of this version, which does nothing and ends with this code.
+    /// Adds a program with this version, which does nothing and ends with this exit code.
     fn with_failing(self, name: &str, version: &str, code: i32) -> Machine {
         let file = self.programs.path().join(name);
         let script = format!("#!/usr/bin/env bash\n[[ $1 != --version ]] || printf '%s' '{version}'\nexit {code}\n");

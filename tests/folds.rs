@@ -1,7 +1,7 @@
 //! The ten folds of both setups are PHYRE's.
 //!
 //! PATHLIGHT_PHYRE names the folder with PHYRE's `folds.json`, and `--include-ignored` runs the comparison with it. The
-//! digest needs no data: it was taken when that comparison held.
+//! digest needs no data: it was taken when that comparison succeeded.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::path::Path;

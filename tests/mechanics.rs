@@ -1,7 +1,7 @@
-//! The mechanics of a rollout: friction, restitution, stacks and thin walls behave as a textbook says.
+//! The mechanics of a rollout: friction, restitution, stacks and thin walls behave as in textbooks.
 //!
-//! px and seconds throughout, 6 px to the metre. Momentum, the restitution threshold and sleep need the inside of the
-//! world: they are tested in `simulator/world.rs`.
+//! px and seconds throughout, 6 px to the metre. Momentum, the restitution threshold and sleep need access to the
+//! world's internals: they are tested in `simulator/world.rs`.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::puzzle::rollout::{MAX_STEPS, Pose, Rollout, STEPS_PER_SECOND};
@@ -23,7 +23,7 @@ fn body(shape: Shape, [x, y]: [f64; 2], degrees: f64, dynamic: bool) -> Body {
     Body { x, y, angle: degrees.to_radians(), dynamic, shape_type: ShapeType::Bar, role, shapes: vec![shape] }
 }
 
-/// Simulates these bodies. The goal is far from being reached: a green and a blue ball stay apart on the floor.
+/// Simulates these bodies. The goal is out of reach: a green and a blue ball stay apart on the floor.
 fn rollout_of(bodies: Vec<Body>) -> Rollout {
     let ball = |x, role| Body { role, ..body(Shape::Circle(2.0), [x, 2.0 + SKIN], 0.0, true) };
     let (body1, body2) = (bodies.len(), bodies.len() + 1);
@@ -33,16 +33,16 @@ fn rollout_of(bodies: Vec<Body>) -> Rollout {
     rollout
 }
 
-/// The poses of one body, step by step.
+/// Returns the poses of one body, step by step.
 fn path(rollout: &Rollout, body: usize) -> Vec<Pose> {
     (0..=rollout.steps).map(|step| rollout.pose(step, body).expect("a dynamic body")).collect()
 }
 
-/// The path of a block that starts at rest on a slope of this angle, and how far it has slid after each step, px.
+/// Returns how far a block that starts at rest on a slope of this angle has slid after each step, px.
 fn slide(degrees: f64) -> Vec<f64> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let (length, thickness) = (20.0, 6.0);
-    // The block starts up the slope, on the surface.
+    // The block starts high on the slope, on its surface.
     let (along, above) = (60.0, thickness + 2.0 * SKIN);
     let start = [128.0 + along * cos - above * sin, 128.0 + along * sin + above * cos];
     let block = body(rectangle(length, thickness), start, degrees, true);
@@ -77,14 +77,14 @@ fn a_block_slides_above_the_friction_angle_as_friction_says() {
     }
 }
 
-/// The heights of the lowest point of a ball above the skin of the floor, dropped from this height, px.
+/// Returns the heights of the lowest point of a ball above the skin of the floor, dropped from this height, px.
 fn drop_from(height: f64) -> Vec<f64> {
     let radius = 8.0;
     let ball = body(Shape::Circle(radius), [128.0, radius + SKIN + height], 0.0, true);
     path(&rollout_of(vec![ball]), 0).into_iter().map(|[_, y, _]| f64::from(y) - radius - SKIN).collect()
 }
 
-/// The highest point after the ball has turned upwards for the first time, px; its last height if it never does.
+/// Returns the highest point after the ball has first turned upwards, px; its last height if it never does.
 fn rebound(heights: &[f64]) -> f64 {
     let lowest = heights.windows(2).position(|pair| pair[1] > pair[0]).unwrap_or(heights.len() - 1);
     heights[lowest..].iter().copied().fold(f64::MIN, f64::max)
@@ -101,7 +101,7 @@ fn a_fast_ball_bounces_by_its_restitution() {
 
 #[test]
 fn no_ball_tunnels_through_a_thin_bar() {
-    // A ball falls by up to 2.6 px in a step, more than the ball and the bar are thick together.
+    // A ball falls by up to 2.6 px in a step, more than the combined thickness of the ball and the bar.
     let (radius, thickness, bar) = (0.5, 0.2, 10.0);
     let balls = (0..20)
         .map(|i| body(Shape::Circle(radius), [30.0 + 10.0 * f64::from(i), 150.3 + 5.0 * f64::from(i)], 0.0, true));

@@ -1,4 +1,4 @@
-//! What a memory teaches, and that files keep it.
+//! The effect of a memory on an agent, and its storage in files.
 
 use pathlight::agents::memory::{Attempt, CAPACITY, Memory, PuzzleSource, Recollection, Reminder};
 use pathlight::agents::sigmoid;
@@ -16,17 +16,17 @@ fn begin(memory: &mut Memory, id: &str) -> Recollection {
     memory.begin(PuzzleSource::Task(id), &scene)
 }
 
-/// What a memory says about a scene.
+/// Returns what a memory says about a scene.
 fn recall(memory: &Memory, scene: &Scene) -> Recollection {
     memory.clone().begin(PuzzleSource::Scene(Box::new(scene.clone())), scene)
 }
 
-/// A valid ball of all scenes here.
+/// A ball that is valid in all scenes of these tests.
 const BALL: Ball = Ball { x: 30.0, y: 230.0, r: 8.0 };
 
 const UNLIKELY: f64 = 0.1;
 
-/// A memory of one attempt.
+/// Returns a memory of one attempt.
 fn taught(id: &str, solved: bool) -> Memory {
     let mut memory = Memory::default();
     begin(&mut memory, id);
@@ -104,7 +104,7 @@ fn what_solved_a_like_scene_is_suggested_where_it_fits() {
     assert!(failed.suggestions(&scene, |_| false).is_empty());
 }
 
-/// Attempts that depend on what is remembered, as an agent's do.
+/// Makes attempts that depend on the memory, as an agent's do.
 fn play(memory: &mut Memory, tasks: &[TaskId]) {
     for &id in tasks {
         let recollection = memory.begin(PuzzleSource::Task(id), &Task::load(id).expect("a task").scene);
@@ -239,7 +239,7 @@ fn of_too_many_attempts_at_one_puzzle_the_latest_are_remembered() {
 #[test]
 fn a_ball_that_touches_a_body_of_a_custom_scene_is_read_again() {
     let Task { mut scene, .. } = task("00002:007");
-    // As long as the scene: its ends move most when the angle is rounded.
+    // A bar as long as the scene, whose ends move most when the angle is rounded.
     scene.bodies.push(Body {
         x: 100.0,
         y: 128.0,

@@ -1,8 +1,8 @@
-//! An agent that remembers tries the same balls in the same order, with the same probabilities bit for bit, natively
-//! and in wasm, and so does one that reads its memory from a file halfway.
+//! An agent with a memory tries the same balls in the same order, with the same probabilities bit for bit, natively and
+//! in wasm. So does one that reads its memory from a file halfway.
 //!
-//! Random balls in a few tasks, and outcomes by a made-up rule that can be learned. When the order is meant to change,
-//! put the digest that the test prints into it, and raise `memory::VERSION`.
+//! The balls are random balls in a few tasks, and the outcomes follow a made-up rule that can be learned. When the
+//! order is meant to change, replace the digest by the one that the test prints, and raise `memory::VERSION`.
 
 use md5::{Digest, Md5};
 use pathlight::agents::memory::{Memory, PuzzleSource};
@@ -12,10 +12,10 @@ use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
-/// Puzzles of each of two templates.
+/// Number of puzzles of each of two templates.
 const PUZZLES: usize = 6;
 
-/// Attempts at a puzzle.
+/// Number of attempts at a puzzle.
 const ATTEMPTS: usize = 20;
 
 const GOLDEN: &str = "d32650a8e6a376577d07bc577811b97a";
@@ -58,7 +58,7 @@ fn a_carried_run_is_as_it_was() {
     assert_eq!(digest, GOLDEN);
 }
 
-/// Whether a ball is near the green object's column.
+/// Returns whether a ball is near the green object's column.
 fn solves(scene: &Scene, x: f64) -> bool {
     (x - scene.bodies[scene.body1].x).abs() < 16.0
 }

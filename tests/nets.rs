@@ -1,5 +1,5 @@
-//! Fresh nets compute what their layers are defined to compute: plain nested loops of 4 x 4 convolutions agree with
-//! them to rounding, and so does burn's second backend. Their weights files hold what they should.
+//! Fresh nets compute what their layers define: plain nested loops of 4 x 4 convolutions agree with them up to
+//! rounding, and so does burn's second backend. Their weights files have the expected content.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::benchmark::folds::Setup;
@@ -32,7 +32,8 @@ fn card() -> Card {
     }
 }
 
-/// Fresh weights of the paper's nets and the success net, as a file: all implementations compute from the same bytes.
+/// Returns fresh weights of the paper's nets and the success net as a file, so that all implementations use the same
+/// bytes.
 fn weights() -> Vec<u8> {
     let mut nets = PathNet::fresh(7);
     nets.success = Some(SuccessNet::fresh(8));
@@ -43,7 +44,7 @@ fn scene() -> Scene {
     Task::load("00012:002".parse().expect("an id")).expect("a task").scene
 }
 
-/// The maps of the paper's nets and the success net's logits, by name.
+/// Returns the maps of the paper's nets and the success net's logits, by name.
 fn maps(loaded: Result<(PathNet, Card), WeightsError>) -> [(&'static str, Vec<f32>); 5] {
     let (nets, _) = loaded.expect("our own weights");
     let Imagined { base, target, action, placement } = nets.imagine(&scene());
@@ -74,8 +75,8 @@ fn flex_agrees_with_ndarray() {
     }
 }
 
-/// The paper's layers have 1,398,257 parameters with 5 input channels and 1,398,513 with 7. The file leaves out the
-/// twelve taps of each kernel next to the code that meet only padding.
+/// The paper's layers have 1,398,257 parameters with 5 input channels and 1,398,513 with 7. The file omits the twelve
+/// taps of each kernel next to the code that meet only padding.
 #[test]
 fn the_file_holds_every_parameter_of_the_papers_layers_that_meets_data() {
     let dead = 2 * 12 * WIDTHS[4] * WIDTHS[5];
@@ -94,7 +95,7 @@ fn the_file_holds_every_parameter_of_the_papers_layers_that_meets_data() {
     }
 }
 
-/// Parameters of an hourglass of 4 x 4 kernels.
+/// Returns the number of parameters of an hourglass of 4 x 4 kernels.
 fn nominal(channels: usize) -> usize {
     let layer = |a: usize, b: usize| a * b * 16;
     let inputs = [channels, 8, 16, 32, 64, 128];

@@ -1,8 +1,8 @@
 //! The online agent tries the same balls in the same order, with the same probabilities bit for bit, natively and in
 //! wasm.
 //!
-//! Made-up candidates, and attempts that all fail in made-up ways. When its order is meant to change, raise
-//! `agents::VERSION` and put the digest that the test prints into it.
+//! The candidates are made up, and the attempts all fail in made-up ways. When the order is meant to change, raise
+//! `agents::VERSION` and replace the digest by the one that the test prints.
 
 use md5::{Digest, Md5};
 use pathlight::agents::online::{Candidate, OnlineAgent, Similarity};
@@ -41,12 +41,12 @@ fn a_turn_of_a_hundred_failures_is_as_it_was() {
     assert_eq!(digest, GOLDEN);
 }
 
-/// A whole number of px inside the scene.
+/// Returns a whole number of px inside the scene.
 fn px(rng: &mut Pcg64Mcg) -> f64 {
     f64::from(rng.random_range(32..224))
 }
 
-/// Paths in a straight line to one of a few places.
+/// Returns paths in a straight line to one of a few places.
 fn paths(rng: &mut Pcg64Mcg) -> SampledPaths {
     let path = |end: [f32; 2]| -> SampledPath {
         std::array::from_fn(|sample| end.map(|at| 128.0 + (at - 128.0) * sample as f32 / SAMPLES as f32))

@@ -1,10 +1,11 @@
 //! The shipped models propose the same balls as before, natively and in wasm, on a hundred tasks.
 //!
-//! One digest for each template, over the proposals for four of its tasks: two by each shipped model, ordered by what
-//! its dynamics net imagines and from its placement map. The same file runs under `cargo test` and `wasm-pack test
-//! --node`, against the same digests: the layers of the nets round alike on both. When proposals are meant to change,
-//! raise `agents::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test proposals_golden`; when other weights
-//! are published, run this alone.
+//! There is one digest for each template, over the proposals for four of its tasks: two by each shipped model, ranked
+//! by its dynamics net and taken from its placement map. The same file runs under `cargo test` and
+//! `wasm-pack test --node`, against the same digests, because the layers of the nets round alike on both. When
+//! proposals are meant to change, raise `agents::VERSION` and run
+//! `UPDATE_GOLDEN=1 cargo test --release --test proposals_golden`; when other weights are published, only run this
+//! command.
 
 use md5::{Digest, Md5};
 use pathlight::agents::{self, Origin};
@@ -17,7 +18,7 @@ const GOLDEN: &str = include_str!("golden/proposals.txt");
 const WEIGHTS: [&[u8]; 2] =
     [include_bytes!("../assets/within-0.safetensors"), include_bytes!("../assets/cross-0.safetensors")];
 
-/// Proposals for each task: those ordered by what the dynamics net imagines, and those from the placement map.
+/// Number of proposals for each task: those ranked by the dynamics net, and those from the placement map.
 const IMAGINED: usize = 100;
 const FROM_MAP: usize = 20;
 
@@ -38,7 +39,7 @@ fn every_proposal_is_as_it_was() {
     assert!(changed.is_empty() && digests.len() == GOLDEN.len(), "not as in tests/golden/proposals.txt: {changed:?}");
 }
 
-/// MD5 over the balls, and where each comes from; of probabilities it takes all bits.
+/// Returns the MD5 of the balls and their origins; all bits of the probabilities count.
 fn digest(template: &'static Template, models: &[PathNet; 2]) -> String {
     let mut md5 = Md5::new();
     for (index, id) in ids(template).step_by(25).enumerate() {

@@ -1,5 +1,5 @@
-//! rapier's own pipeline as the second engine: the same scene, gravity, friction and success rule, computed the same on
-//! every thread.
+//! rapier's own pipeline as the second engine: the same scene, gravity, friction and success rule, with the same result
+//! on every thread.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::f64::consts::TAU;
@@ -16,7 +16,7 @@ fn body(shape: Shape, [x, y]: [f64; 2], angle: f64, role: Role) -> Body {
     Body { x, y, angle, dynamic, shape_type: ShapeType::Bar, role, shapes: vec![shape] }
 }
 
-/// A green ball of 6 px here, beside further bodies, of which the first is the goal.
+/// A scene with a green ball of 6 px here, and further bodies, the first of which is the goal.
 fn scene(object: [f64; 2], others: Vec<Body>) -> Scene {
     let object = body(Shape::Circle(6.0), object, 0.0, Role::Green);
     Scene { body1: 0, body2: 1, bodies: std::iter::once(object).chain(others).collect() }

@@ -1,4 +1,4 @@
-//! A floor under the shipped model: on test tasks that it has not seen it is far better than chance.
+//! A lower bound for the shipped model: on test tasks that it has not seen, it is far better than chance.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::agents::{self, Proposal};
@@ -11,7 +11,8 @@ use pathlight::simulator::outcome;
 
 const WEIGHTS: &[u8] = include_bytes!("../assets/within-0.safetensors");
 
-/// AUCCESS on these tasks, percent points; less means that the proposals have become worse, and not by chance.
+/// Required lead over the random agent in AUCCESS on these tasks, percentage points. A smaller lead means that the
+/// proposals have become worse, and not by chance.
 const MARGIN: f64 = 40.0;
 
 #[test]

@@ -22,7 +22,7 @@ fn scenes() -> impl Iterator<Item = (&'static str, Scene)> {
     ["00002:007", "00012:002", "00024:006"].into_iter().map(move |id| (id, load(id)))
 }
 
-/// Asserts that two maps agree, and that there is something to agree on.
+/// Asserts that two maps agree, and that they are not flat.
 fn assert_close(name: &str, map: &[f32], expected: &[f32], tolerance: f32, contrast: f32) {
     assert_eq!(map.len(), expected.len(), "{name}");
     let worst = map.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);

@@ -1,7 +1,8 @@
-//! The contract of the simulator: what a rollout holds, the three seconds of the goal, refusal, and PHYRE's rollouts.
+//! The contract of the simulator: the content of a rollout, the three seconds of the goal, refusal of invalid balls,
+//! and PHYRE's rollouts.
 //!
-//! The last test needs PHYRE's recorded rollouts, which are not part of the project: PATHLIGHT_PHYRE names the
-//! folder that has outcomes.jsonl, and `--include-ignored` runs the test. `pathlight-lab measure fidelity` prints more.
+//! The last test needs PHYRE's recorded rollouts, which are not part of the project: PATHLIGHT_PHYRE names the folder
+//! with outcomes.jsonl, and `--include-ignored` runs the test. `pathlight-lab measure fidelity` prints more.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::BTreeMap;
@@ -19,7 +20,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 use serde::Deserialize;
 
-/// A green ball and a blue one, both of 10 px, at these places.
+/// A green ball and a blue one, both with a radius of 10 px, at these places.
 fn two_balls(green: [f64; 2], blue: [f64; 2]) -> Scene {
     let ball = |[x, y]: [f64; 2], role| Body {
         x,
@@ -45,7 +46,7 @@ fn a_ball_falls_with_gravity_and_comes_to_rest() {
         let [x, y, angle] = rollout.row(step)[0];
         assert!((y - expected).abs() < 1e-2 && x == 50.0 && angle == 0.0, "step {step}: {x} {y} {angle}");
     }
-    // Rest: the radius and the polygon skin of 0.06 px above the floor, less the slop.
+    // Rest position: the radius and the polygon skin of 0.06 px above the floor, minus the slop.
     let [_, y, _] = rollout.row(MAX_STEPS)[0];
     assert!((10.02..10.07).contains(&y), "rests at {y}");
     assert_eq!(rollout.row(MAX_STEPS), rollout.row(MAX_STEPS - 100));
@@ -60,7 +61,7 @@ fn the_task_is_solved_after_three_seconds_of_contact() {
     assert_eq!((apart.solved, apart.steps), (false, MAX_STEPS));
 }
 
-/// Without its poses a rollout ends as soon as its outcome is certain.
+/// Without poses, a rollout ends as soon as its outcome is certain.
 #[test]
 fn an_outcome_is_that_of_the_whole_rollout() {
     let mut rng = Pcg64Mcg::seed_from_u64(3);
@@ -99,7 +100,7 @@ fn contacts_begin_when_bodies_meet_and_end_when_they_part() {
     let ball = Ball { x: 50.0, y: 240.0, r: 8.0 };
     let rollout = simulate(&scene, Some(ball)).expect("a valid ball");
     let contacts = contacts(&scene, Some(ball)).expect("a valid ball");
-    // The scene's two balls, the action ball, then the walls, of which the floor is the first.
+    // The scene's two balls, the action ball, then the walls, the first of which is the floor.
     let [green, blue, red, floor] = [0, 1, 2, 3];
     assert!(contacts.is_sorted_by_key(|contact| contact.begin));
     let of = |bodies| contacts.iter().filter(move |contact| contact.bodies == bodies).collect::<Vec<_>>();
@@ -108,14 +109,14 @@ fn contacts_begin_when_bodies_meet_and_end_when_they_part() {
     let lowest = (1..).find(|&step| rollout.row(step)[blue][1] < 10.1).expect("it falls");
     assert_eq!((first.begin - 1, last.end), (lowest, MAX_STEPS + 1));
     assert!(of([blue, floor]).is_sorted_by(|one, next| one.end < next.begin), "{contacts:?}");
-    // The red ball falls on the green one, which lies on the floor by then.
+    // The red ball falls on the green one, which is already lying on the floor.
     let hit = of([green, red])[0];
     let [x, y] = [0, 1].map(|axis| rollout.row(hit.begin)[red][axis] - rollout.row(hit.begin)[green][axis]);
     assert!(x.hypot(y) < 18.1 && hit.begin > lowest, "{hit:?}: {x} {y}");
     assert_eq!(of([green, blue]), [] as [&ContactEvent; 0]);
 }
 
-/// Two balls apart: there the goal is another.
+/// Except for two balls, where touching the goal has another definition.
 #[test]
 fn contacts_of_the_goal_are_its_touches() {
     let mut rng = Pcg64Mcg::seed_from_u64(5);
@@ -142,9 +143,9 @@ fn contacts_of_the_goal_are_its_touches() {
 struct Recorded {
     task: TaskId,
     ball: Ball,
-    /// What PHYRE recorded, or its Box2D's outcome of a random ball.
+    /// The outcome that PHYRE recorded, or that of its Box2D for a random ball.
     solved: bool,
-    /// Steps and digest of its Box2D, and its outcome where that is not the recorded one.
+    /// Steps and digest of its Box2D, and its outcome if that differs from the recorded one.
     steps: usize,
     digest: String,
     reference_solved: Option<bool>,

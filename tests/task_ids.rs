@@ -1,4 +1,4 @@
-//! Parsing task ids and loading tasks: an id that is wrong gets a sentence with the reason and the remedy.
+//! Parsing task ids and loading tasks: the error for a wrong id names the reason and the remedy.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::puzzle::task::{Task, TaskError, TaskId, ids};
@@ -31,7 +31,7 @@ fn there_are_2500_ids() {
 #[test]
 fn an_unknown_task_gets_a_reason_and_a_remedy() {
     assert_eq!(error_of("7:13"), "`7:13` is not a task id: write template and number like 00007:008");
-    assert_eq!(error_of("00025:000"), "there is no template `00025`: they run from 00000 to 00024");
+    assert_eq!(error_of("00025:000"), "unknown template `00025`: templates run from 00000 to 00024");
     assert_eq!(
         error_of("00007:000"),
         "task 00007:000 is not in the benchmark: `pathlight tasks --template 00007` lists the tasks of this template"

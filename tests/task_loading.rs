@@ -1,4 +1,4 @@
-//! Every task of the benchmark loads in a moment: the page loads one for each puzzle it shows.
+//! Every task of the benchmark loads fast, because the page loads one for each puzzle that it shows.
 //!
 //! `cargo test --release --test task_loading -- --nocapture` prints the slowest. An unoptimised build is not measured.
 #![cfg(all(not(target_arch = "wasm32"), not(debug_assertions)))]
@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 use pathlight::puzzle::task::{Task, TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
-/// What loading a task may take.
+/// Maximum time for loading a task.
 const LIMIT: Duration = Duration::from_millis(2);
 
-/// How often a task may be loaded until one load is within the limit: on a busy machine many wait for the processor.
+/// Maximum number of loads until one is within the limit: on a busy machine, many wait for the processor.
 const LOADS: usize = 100;
 
 #[test]
@@ -24,7 +24,7 @@ fn the_slowest_task_loads_within_two_milliseconds() {
     }
 }
 
-/// The time of the fastest of three loads, or of as many as it takes to come within the limit.
+/// Returns the time of the fastest of three loads, or of as many as it takes to get within the limit.
 fn fastest(id: TaskId) -> Duration {
     let mut fastest = Duration::MAX;
     for load in 0..LOADS {

@@ -1,9 +1,9 @@
-//! The shipped attempts, which every page verifies too: the same rollouts to the bit, natively and in wasm.
+//! The shipped attempts, which every page also verifies, give the same rollouts to the bit, natively and in wasm.
 //!
-//! `assets/attempts.jsonl` holds twelve attempts at each template: at three of its tasks one without a ball, two with
-//! random balls, and one that solves. `tests/golden/rapier.jsonl` holds some of them in the second engine, natively
-//! only. To change the simulation on purpose, raise the version and run `UPDATE_GOLDEN=1 cargo test --release --test
-//! verification`.
+//! `assets/attempts.jsonl` holds twelve attempts for each template: for each of three tasks, one without a ball, two
+//! with random balls, and one that solves. `tests/golden/rapier.jsonl` holds some of them in the second engine,
+//! natively only. To change the simulation on purpose, raise the version and run
+//! `UPDATE_GOLDEN=1 cargo test --release --test verification`.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! A Rust panic in wasm reads as its message. Alone in its file: no other test can run after a panic.
+//! A Rust panic in wasm throws an error with its message. The only test in its file, because none can run after a
+//! panic.
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
@@ -7,7 +8,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test]
 fn a_panic_is_an_error_with_its_message_and_a_code() {
-    // The test harness has a hook of its own.
+    // The test harness has its own hook.
     pathlight::web::throw_panics();
     let panics = Closure::<dyn FnMut()>::new(|| panic!("no ball is left"));
     let function: &js_sys::Function = panics.as_ref().unchecked_ref();

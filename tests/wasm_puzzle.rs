@@ -1,4 +1,4 @@
-//! The wasm exports that need no document, called from Node as the page and scripts call them.
+//! The wasm exports that need no document, called from Node in the same way as by the page and by scripts.
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{JSON, Number, Object, Reflect};
@@ -16,7 +16,7 @@ const TASK: &str = "00000:000";
 const WEIGHTS: &[u8] = include_bytes!("../assets/within-0.safetensors");
 const TYPES: &str = include_str!("../src/web/types.d.ts");
 
-/// A JavaScript value of JSON.
+/// Returns a JavaScript value of JSON.
 fn js<T: From<JsValue>>(value: &Value) -> T {
     JSON::parse(&value.to_string()).expect("JSON").into()
 }
@@ -25,13 +25,13 @@ fn task<T: From<JsValue>>() -> T {
     js(&json!(TASK))
 }
 
-/// The JSON of a JavaScript value, in which typed arrays are objects.
+/// Returns the JSON of a JavaScript value, in which typed arrays are objects.
 fn json(value: impl Into<JsValue>) -> Value {
     let text = JSON::stringify(&value.into()).expect("plain data").as_string().expect("a value");
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// The values of a typed array.
+/// Returns the values of a typed array.
 fn values(from: &Value, name: &str) -> Vec<f64> {
     let array = from[name].as_object().expect("a typed array");
     (0..array.len()).map(|index| array[&index.to_string()].as_f64().expect("a number")).collect()
@@ -44,7 +44,7 @@ fn code(error: JsValue) -> String {
     Reflect::get(&error, &"code".into()).expect("an object").as_string().expect("a code")
 }
 
-/// The fields of an interface of `types.d.ts`, sorted; those that may be missing end in `?`.
+/// Returns the fields of an interface of `types.d.ts`, sorted; optional ones end in `?`.
 fn declared(interface: &str) -> Vec<String> {
     let start = TYPES.find(&format!("interface {interface} ")).unwrap_or_else(|| panic!("no interface {interface}"));
     let (head, rest) = TYPES[start..].split_once('{').expect("a body");
@@ -58,7 +58,7 @@ fn declared(interface: &str) -> Vec<String> {
     fields
 }
 
-/// The scene of a puzzle.
+/// Returns the scene of a puzzle.
 fn scene(puzzle: &Value) -> Value {
     json(OpenPuzzle::new(js(puzzle)).expect("it opens").about().expect("facts"))["scene"].take()
 }
@@ -69,7 +69,7 @@ fn fields(value: &Value) -> Vec<String> {
     fields
 }
 
-/// The fields of a value that has all that it may have, sorted; those that the barest lacks end in `?`.
+/// Returns the fields of a value with all optional fields, sorted; those that the minimal value lacks end in `?`.
 fn fields_of_all(fullest: &Value, barest: &Value) -> Vec<String> {
     let barest = fields(barest);
     let marked = |field: String| if barest.contains(&field) { field } else { field + "?" };
@@ -102,7 +102,7 @@ fn an_unknown_task_is_an_error_with_a_code() {
 #[wasm_bindgen_test]
 fn an_invalid_ball_names_what_it_overlaps() {
     let puzzle = OpenPuzzle::new(task()).expect("a task");
-    // Two Drops has a green ball; a red one at its place overlaps it.
+    // Two Drops has a green ball; a red one at its position overlaps it.
     let scene = scene(&json!(TASK));
     assert_eq!((fields(&scene), fields(&scene["bodies"][0])), (declared("Scene"), declared("Body")));
     let [x, y] = ["x", "y"].map(|key| scene["bodies"][0][key].as_f64().expect("a number"));
@@ -143,7 +143,7 @@ fn a_script_simulates_what_an_open_puzzle_answers() {
     assert_eq!(bodies.last(), Some(&(body_count as f64)), "the ball comes last");
     assert_eq!(poses[3 * (bodies.len() - 1)..][..2], [x, y].map(|place| f64::from(place as f32)));
 
-    // More balls than are kept, and the first again.
+    // More balls than are cached, and then the first again.
     for x in 60..80 {
         let _ = puzzle.rollout(js(&json!([x, 230, 8])));
     }
@@ -317,7 +317,7 @@ fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
         assert_eq!(values(&first, name).len(), length, "{name}");
     }
     assert!(first["probability"].as_f64().is_some_and(|probability| (0.0..=1.0).contains(&probability)));
-    // The task that was read last is kept; another one is read anew.
+    // The last task is cached; another one is read again.
     assert_ne!(imagined("00007:008", 128)["object"], first["object"]);
     assert_eq!(imagined(TASK, 128), first);
     assert_ne!(imagined(TASK, 90)["ball"], first["ball"]);

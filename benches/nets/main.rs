@@ -1,9 +1,11 @@
-//! The nets natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation runs.
+//! Runs the nets natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation
+//! runs.
 //!
-//! `inputs TASK FOLDER` writes what the other implementations read: the nets, the scene and a batch. `forward TASK`,
-//! the four nets, `maps TASK`, all five maps, `propose TASK OTHER`, a hundred balls for each in turns, and `train`
-//! prepare, print a line of numbers that the other implementations have to agree with, and then read a number of
-//! repetitions per line of standard input and print the milliseconds of each.
+//! `inputs TASK FOLDER` writes the input of the other implementations: the nets, the scene and a batch. The other
+//! commands are `forward TASK` (the four nets), `maps TASK` (all five maps), `propose TASK OTHER` (a hundred balls for
+//! each task in turn) and `train`. Each prepares its work and prints a line of numbers that the other implementations
+//! must reproduce. Then, for each line of standard input, it reads a number of repetitions and prints the milliseconds
+//! of each.
 
 use std::path::Path;
 use std::time::Instant;
@@ -25,23 +27,23 @@ mod onnx;
 #[path = "../repeat.rs"]
 mod repeat;
 
-/// As in the lab.
+/// The lab's allocator.
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 const SOLUTIONS: &str = "assets/solutions.jsonl";
 const BATCH: usize = 32;
-/// Batches that are trained on in turn. On one batch the losses would go to zero, and gradients so small that their
-/// numbers are subnormal take several times as long: no training is like that.
+/// Batches to train on in turn. On a single batch the losses would approach zero, and the gradients would be so small
+/// that they become subnormal, which takes several times as long. No real training does that.
 const BATCHES: usize = 24;
 /// Learning rate of Adam.
 const LEARNING_RATE: f64 = 3e-3;
-/// Steps whose losses have to agree.
+/// Steps whose losses must agree.
 const COMPARED: usize = 3;
 
 fn main() {
-    // Cargo starts it in the folder of the lab.
+    // Cargo starts the bench in the lab's folder.
     env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).expect("the repository is there");
     let arguments: Vec<String> = env::args().skip(1).filter(|argument| argument != "--bench").collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
@@ -97,8 +99,8 @@ fn nets() -> PathNet {
     PathNet::load(&bytes).expect("the weights fit").0
 }
 
-/// Writes the nets as ONNX graphs and their parameters in single precision; the scene's set cells and its covered
-/// shares, `[5, 64, 64]` each; and the batches, `[24, 32, 9, 64, 64]`, scenes before targets.
+/// Writes the nets as ONNX graphs and their parameters in single precision; the scene's set cells and covered shares,
+/// `[5, 64, 64]` each; and the batches, `[24, 32, 9, 64, 64]`, scenes before targets.
 fn inputs(nets: &PathNet, task: &Task, folder: &Path) {
     let write = |name: &str, bytes: Vec<u8>| fs::write(folder.join(name), bytes).expect("the folder can be written");
     write("nets.onnx", onnx::four_nets(nets));
@@ -120,7 +122,7 @@ fn bytes(values: impl IntoIterator<Item = f32>) -> Vec<u8> {
     values.into_iter().flat_map(f32::to_le_bytes).collect()
 }
 
-/// Solutions from all over the templates, in each batch.
+/// Batches of solutions, each from all templates.
 fn batches() -> Vec<Vec<Sample>> {
     let solutions = read_solutions(Path::new(SOLUTIONS)).expect("the solutions are in assets").solutions;
     let chosen = |number: usize| solutions.iter().skip(number).step_by(solutions.len() / BATCH).take(BATCH);
@@ -130,9 +132,9 @@ fn batches() -> Vec<Vec<Sample>> {
     (0..BATCHES).map(|number| chosen(10 * number).map(sample).collect()).collect()
 }
 
-/// The step of `pathlight-lab train paths`, on one batch after the other; returns the sum of the losses.
+/// The step of `pathlight-lab train paths`, on one batch after another; returns the sum of the losses.
 fn training() -> impl FnMut() -> f32 {
-    // The shipped weights, because the peers start from the same file.
+    // The shipped weights, because the other implementations start from the same file.
     let mut trainer = Trainer::from_nets(nets());
     let batches = batches();
     let mut number = 0;

@@ -1,7 +1,7 @@
-//! The nets as ONNX graphs, wired as in `src/nets`, so that other engines can run them. `lab/tests/onnx.rs` checks that
-//! the graphs compute what ours compute.
+//! The nets as ONNX graphs, wired as in `src/nets`, for other engines to run. `lab/tests/onnx.rs` checks that the
+//! graphs compute the same values.
 //!
-//! Only the messages and fields of onnx.proto that the graphs need; tags and names are those of the schema.
+//! Contains only the messages and fields of onnx.proto that the graphs need, with the schema's tags and names.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ const INT64: i32 = 7;
 const INT: i32 = 2;
 const INTS: i32 = 7;
 
-/// Versions that every engine can read.
+/// Versions that every engine supports.
 const OPERATORS: i64 = 13;
 const IR: i64 = 8;
 
@@ -122,16 +122,17 @@ struct Dimension {
     dim_value: Option<i64>,
 }
 
-/// Returns the graph of the paper's four nets: the scene's set cells `scene` `[1, 5, 64, 64]` in, the maps base,
-/// target, action and placement out, each `[1, 1, 64, 64]` after its sigmoid.
+/// Returns the graph of the paper's four nets. Input: the scene's set cells `scene` `[1, 5, 64, 64]`. Outputs: the maps
+/// base, target, action and placement, each `[1, 1, 64, 64]` after its sigmoid.
 pub fn four_nets(nets: &PathNet) -> Vec<u8> {
     let mut builder = Builder::new(nets);
     let maps = builder.maps();
     builder.file(&["scene"], maps)
 }
 
-/// Returns the graph of all nets: the covered shares of the scene's cells, `coverage` `[1, 5, 64, 64]`, come in too,
-/// and the logits of the cells go out, `[1, 8, 64, 64]`, averaged over the scene and its mirror image.
+/// Returns the graph of all nets. It has a second input, the covered shares of the scene's cells, `coverage`
+/// `[1, 5, 64, 64]`, and another output, the logits of the cells, `[1, 8, 64, 64]`, averaged over the scene and its
+/// mirror image.
 pub fn all_nets(nets: &PathNet) -> Vec<u8> {
     let mut builder = Builder::new(nets);
     let mut outputs = builder.maps();
@@ -169,7 +170,7 @@ impl Builder {
         self.add("Concat", inputs, output, vec![int("axis", axis)])
     }
 
-    /// Adds a layer: a convolution if it belongs to the `down` half, else a transposed one.
+    /// Adds a layer: a convolution in the `down` half, otherwise a transposed convolution.
     fn layer(&mut self, name: &str, x: &str, relu: bool) -> String {
         let operator = if name.contains(".down.") { "Conv" } else { "ConvTranspose" };
         let (weight, bias) = (format!("{name}.weight"), format!("{name}.bias"));
@@ -207,8 +208,8 @@ impl Builder {
         self.add("Gather", &[x, "columns"], output, vec![int("axis", 3)])
     }
 
-    /// Adds the U-Net of the dynamics net: each layer of its decoder but the first also sees the output of its encoder
-    /// of that size.
+    /// Adds the U-Net of the dynamics net. Each decoder layer except the first also receives the encoder output of the
+    /// same size.
     fn cell_logits(&mut self) -> Output {
         const LAYERS: usize = 5;
         // The other channels of the last layer are features of balls.
@@ -247,7 +248,7 @@ impl Builder {
         (self.add("Div", &[&sum, "two"], "cells", vec![]), RADII)
     }
 
-    /// The bytes of the file.
+    /// Returns the bytes of the file.
     fn file(self, inputs: &[&str], outputs: Vec<Output>) -> Vec<u8> {
         let Builder { nodes, parameters, constants } = self;
         let is_used = |name: &String| nodes.iter().any(|node| node.input.contains(name));

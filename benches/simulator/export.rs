@@ -1,4 +1,4 @@
-//! The rollouts as text, for implementations in other languages.
+//! Writes the rollouts as text, for implementations in other languages.
 
 use std::fmt::Write;
 
@@ -11,9 +11,8 @@ use pathlight::simulator::constants::{
 };
 use pathlight::simulator::units::PX_PER_METRE;
 
-/// Returns the rollouts as text, for implementations in other languages: the parameters in one line, then for each
-/// rollout its goal and the number of its bodies, and for each body its pose and shapes. Values that a shape does not
-/// have are 0.
+/// Returns the rollouts as text. The first line holds the parameters. Then follow, for each rollout, its goal and its
+/// number of bodies, and for each body its pose and shapes. Values that a shape does not have are 0.
 pub fn export(rollouts: &[(Scene, Ball)]) -> String {
     let mut text = format!(
         "{MAX_STEPS} {GOAL_STEPS} {VELOCITY_ITERATIONS} {POSITION_ITERATIONS} {PX_PER_METRE} {TIME_STEP} {GRAVITY} {DENSITY} \

@@ -1,8 +1,8 @@
-//! The simulator natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each
+//! Runs the simulator natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each
 //! implementation runs.
 //!
-//! `export FILE` writes the rollouts for the other implementations. `rollouts` times the stepping of all rollouts,
-//! `worlds` what comes before: to build their worlds. Both print first how each rollout ends.
+//! `export FILE` writes the rollouts for the other implementations. `rollouts` times the stepping of all rollouts;
+//! `worlds` times the building of their worlds. Both first print how each rollout ends.
 
 use std::time::Duration;
 use std::{env, fs};

@@ -1,5 +1,5 @@
-//! The rollouts that all implementations of the simulator's bench run: 20 tasks of each template, all with a random
-//! valid ball.
+//! The rollouts of the simulator benchmark, the same for all implementations: 20 tasks of each template, each with a
+//! random valid ball.
 
 use pathlight::puzzle::action::{Ball, Obstacles};
 use pathlight::puzzle::sampling::uniform_ball;
@@ -10,7 +10,7 @@ use pathlight::simulator::{self, Simulation};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;
 
-/// Returns the scenes with their balls, the same on every machine.
+/// Returns the scenes and their balls, the same on every machine.
 pub fn rollouts() -> Vec<(Scene, Ball)> {
     let mut random = Pcg32::seed_from_u64(0);
     let tasks = TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(5));
@@ -22,7 +22,7 @@ pub fn rollouts() -> Vec<(Scene, Ball)> {
         .collect()
 }
 
-/// Returns how each rollout ends, to compare: `[solved, steps, x and y of each dynamic body in px]`.
+/// Returns the end of each rollout, for comparison: `[solved, steps, x and y of each dynamic body in px]`.
 pub fn final_states(rollouts: &[(Scene, Ball)]) -> String {
     let final_state = |(scene, ball): &(Scene, Ball)| {
         let rollout = simulator::simulate(scene, Some(*ball)).expect("a valid ball");

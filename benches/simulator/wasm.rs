@@ -14,7 +14,7 @@ thread_local! {
     static STARTED: RefCell<Option<Simulation>> = const { RefCell::new(None) };
 }
 
-/// Returns where the text of the final states is in memory: the address of its bytes and their number.
+/// Returns the location of the final states' text in memory: its address and its length in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn final_states() -> *const [usize; 2] {
     let text = ROLLOUTS.with(|rollouts| rollouts::final_states(rollouts)).leak();
@@ -33,7 +33,7 @@ pub extern "C" fn start(index: usize) {
     STARTED.with(|started| started.replace(Some(simulation)));
 }
 
-/// Steps the rollout that was started last.
+/// Runs the rollout that was started last.
 #[unsafe(no_mangle)]
 pub extern "C" fn run() {
     STARTED.with(|started| started.take().expect("a rollout was started").run());

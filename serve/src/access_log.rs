@@ -12,13 +12,13 @@ use axum::http::header;
 use axum::middleware::Next;
 use axum::response::Response;
 
-/// How many lines wait for a reader that has paused; further ones are dropped.
+/// Lines queued for a reader that has paused; further lines are dropped.
 const WAITING_LINES: usize = 1024;
 
-/// Where lines are sent to be written.
+/// The queue of lines to write.
 pub type Lines = SyncSender<String>;
 
-/// Starts a thread that writes the lines to standard output, so that a reader that pauses does not hold up the server.
+/// Starts a thread that writes the lines to standard output, so that a paused reader does not block the server.
 pub fn start() -> Lines {
     let (sender, lines) = sync_channel::<String>(WAITING_LINES);
     thread::spawn(move || {
@@ -30,13 +30,13 @@ pub fn start() -> Lines {
     sender
 }
 
-/// Writes one line for each request, when its response starts.
+/// Writes one line per request when its response starts.
 pub async fn log(lines: Lines, Extension(client): Extension<SocketAddr>, request: Request, next: Next) -> Response {
     let request_line = format!("{} {} {:?}", request.method(), request.uri(), request.version());
     let time = timestamp(SystemTime::now());
     let response = next.run(request).await;
     let length = response.headers().get(header::CONTENT_LENGTH).and_then(|length| length.to_str().ok()).unwrap_or("-");
-    // `Debug` quotes the request line and escapes quotes in it.
+    // `Debug` quotes the request line and escapes quotes inside it.
     let status = response.status().as_u16();
     let _ = lines.try_send(format!("{} - - [{time}] {request_line:?} {status} {length}", client.ip()));
     response

@@ -1,7 +1,7 @@
 //! Accepts connections, and closes those that make no progress.
 //!
-//! `axum::serve` has no time limit for a request's head and none for a client that stops reading. Such clients would
-//! use up the connections that the system allows.
+//! `axum::serve` sets no time limit for a request's head and none for a client that stops reading. Such clients could
+//! exhaust the system's limit on connections.
 
 use std::net::SocketAddr;
 use std::pin::pin;
@@ -17,19 +17,19 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio_io_timeout::TimeoutStream;
 use tower_http::add_extension::AddExtension;
 
-/// Largest head of a request, bytes. A browser's has about 1,000.
+/// Largest request head, bytes. A browser's has about 1,000.
 const MAX_HEAD: usize = 1 << 15;
 
-/// Limit on open files and connections that is requested from the system, whose default is often 1,024.
+/// Limit on open files and connections to request from the system. The default is often 1,024.
 const MAX_OPEN: u64 = 8192;
 
-/// Time for open requests to finish once the server is told to stop. Containers are killed after 10 s.
+/// Time for open requests to finish once the server is asked to stop. Containers are killed after 10 s.
 const DRAIN: Duration = Duration::from_secs(5);
 
-/// Answers requests until `stop` resolves, then finishes those that are open, for a limited time.
+/// Answers requests until `stop` resolves, then gives open requests a limited time to finish.
 ///
-/// A connection is closed if the head of a request takes longer than `patience`, or if its client reads nothing of a
-/// response for that long. Each request carries its client's address as an extension.
+/// A connection is closed if a request's head takes longer than `patience`, or if the client reads none of a response
+/// for that long. Each request carries its client's address as an extension.
 pub async fn serve(listener: TcpListener, router: Router, patience: Duration, stop: impl Future<Output = ()>) {
     // If the limit cannot be raised, fewer connections are served at once.
     let _ = rlimit::increase_nofile_limit(MAX_OPEN);
@@ -37,7 +37,7 @@ pub async fn serve(listener: TcpListener, router: Router, patience: Duration, st
     let service = router.into_service();
     let mut builder = http1::Builder::new();
     builder.timer(TokioTimer::new()).header_read_timeout(patience).max_buf_size(MAX_HEAD);
-    // Some clients close their half once they have asked: `nc -N`.
+    // Some clients close their half after sending the request: `nc -N`.
     builder.half_close(true);
     let open = GracefulShutdown::new();
     let mut stop = pin!(stop);
@@ -55,11 +55,11 @@ pub async fn serve(listener: TcpListener, router: Router, patience: Duration, st
     let _ = tokio::time::timeout(DRAIN, open.shutdown()).await;
 }
 
-/// Sets `TCP_NODELAY` on accepted connections. Otherwise a response on a kept-alive connection waits for the client's
-/// delayed acknowledgement, 40 ms on Linux, before its last part is sent.
+/// Sets `TCP_NODELAY` on accepted connections. Otherwise the last part of a response on a kept-alive connection waits
+/// for the client's delayed acknowledgement, 40 ms on Linux.
 fn without_delay(listener: TcpListener) -> impl Listener<Io = TcpStream, Addr = SocketAddr> {
     listener.tap_io(|stream| {
-        // It fails only if the client is already gone.
+        // Fails only if the client has already disconnected.
         let _ = stream.set_nodelay(true);
     })
 }

@@ -1,7 +1,7 @@
-//! A folder to serve files from, and nothing outside it.
+//! A folder of files to serve, with no access to anything outside it.
 //!
-//! `ServeDir` refuses `..` in every encoding but follows symbolic links, which can lead out of the folder. So each path
-//! is resolved before it is opened.
+//! `ServeDir` refuses `..` in every encoding but follows symbolic links, which can lead out of the folder. Each path is
+//! therefore resolved before it is opened.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use tower_http::services::fs::{Backend, TokioBackend, TokioFile};
 
 #[derive(Clone, Debug)]
 pub struct Folder {
-    /// With all links resolved.
+    /// Canonical path, with all symbolic links resolved.
     root: PathBuf,
 }
 
@@ -19,7 +19,7 @@ impl Folder {
     /// Opens a folder.
     ///
     /// # Errors
-    /// If there is no such folder.
+    /// If the folder does not exist.
     pub fn open(path: &Path) -> io::Result<Folder> {
         let root = path.canonicalize()?;
         if !root.is_dir() {
@@ -32,7 +32,7 @@ impl Folder {
         &self.root
     }
 
-    /// Resolves all links of a path.
+    /// Resolves all symbolic links of a path.
     ///
     /// # Errors
     /// Not found if the result is outside the folder or does not exist.
@@ -52,7 +52,7 @@ impl Backend for Folder {
         let folder = self.clone();
         Box::pin(async move {
             let path = folder.resolve(path).await?;
-            // To open a pipe would wait for somebody who writes into it.
+            // Opening a pipe would block until something writes to it.
             if !tokio::fs::metadata(&path).await?.is_file() {
                 return Err(io::ErrorKind::NotFound.into());
             }

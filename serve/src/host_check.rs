@@ -1,7 +1,7 @@
-//! Checks the host that a request names.
+//! Checks the host named in a request.
 //!
-//! Without the check, a page of another site could point its own name at 127.0.0.1 after it has loaded (DNS
-//! rebinding), and read this server's files as part of that site. An address cannot be rebound.
+//! Without this check, a page of another site could point its own name at 127.0.0.1 after it has loaded (DNS rebinding)
+//! and read this server's files as if they belonged to that site. An address cannot be rebound.
 
 use std::net::{IpAddr, Ipv6Addr};
 
@@ -10,17 +10,17 @@ use axum::http::{StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
-/// The host names that are answered.
+/// The accepted host names.
 #[derive(Clone, Debug)]
 pub enum Hosts {
-    /// All: other machines can connect, and the server does not know the names that they use.
+    /// All names: other machines can connect, and the server cannot know which names they use.
     Any,
-    /// `localhost`, addresses, and these.
+    /// `localhost`, IP addresses, and these names.
     Named(Vec<String>),
 }
 
 impl Hosts {
-    /// Whether a `Host` header names this server. The port is ignored, since a tunnel may use another.
+    /// Returns whether a `Host` header names this server. The port is ignored, because a tunnel may use another.
     fn contains(&self, host: &str) -> bool {
         let Hosts::Named(allowed) = self else { return true };
         let name = match host.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
@@ -33,7 +33,7 @@ impl Hosts {
     }
 }
 
-/// Refuses requests that name another host, none, or several.
+/// Refuses requests with a different `Host`, with none, or with several.
 pub async fn check(hosts: Hosts, request: Request, next: Next) -> Response {
     let mut headers = request.headers().get_all(header::HOST).iter();
     let (Some(host), None) = (headers.next(), headers.next()) else {

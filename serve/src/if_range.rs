@@ -1,4 +1,4 @@
-//! `If-Range`: sends the rest of an interrupted download, or the whole file if it has changed meanwhile.
+//! `If-Range`: sends the rest of an interrupted download, or the whole file if it has changed in the meantime.
 
 use axum::body::Body;
 use axum::extract::Request;
@@ -8,8 +8,8 @@ use axum::response::Response;
 
 /// Evaluates `If-Range`, which `ServeDir` ignores.
 ///
-/// `If-Match` makes the same comparison, and `ServeDir` answers 412 if it fails. A date never matches, so it gets the
-/// whole file.
+/// `If-Match` makes the same comparison, and `ServeDir` answers 412 if it fails. A date never matches, so a request
+/// with a date receives the whole file.
 pub async fn evaluate(request: Request, next: Next) -> Response {
     let (mut whole, body) = request.into_parts();
     let (Some(validator), true) = (whole.headers.remove(header::IF_RANGE), whole.headers.contains_key(header::RANGE))

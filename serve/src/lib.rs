@@ -1,7 +1,7 @@
-//! Serves the page to a browser on this machine: `pathlight serve`, and `pathlight-serve` alone.
+//! Serves the page to a browser on this machine: `pathlight serve`, and the separate binary `pathlight-serve`.
 //!
-//! A static file server with what this page needs: media types, precompressed files, a content security policy, and
-//! caching with revalidation. `/assets/` holds the weights. All files are public and read-only.
+//! This is a static file server with the features that the page needs: media types, precompressed files, a content
+//! security policy, and caching with revalidation. `/assets/` holds the weights. All files are public and read-only.
 //!
 //! It is a separate crate so that `make play` need not compile the nets and their training.
 
@@ -51,8 +51,8 @@ pub struct Args {
     #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
     frame_ancestors: Vec<String>,
 
-    /// Answer requests for these host names, for example behind a proxy, besides localhost and addresses, and for no
-    /// others; without this a server on a loopback address answers to no other names, any other server to all
+    /// Answer requests for these host names in addition to localhost and IP addresses, for example behind a proxy; by
+    /// default, a server on a loopback address answers to no other names, and any other server answers to all
     #[arg(long, value_name = "NAME", num_args = 1.., value_parser = host_name)]
     allow_host: Vec<String>,
 
@@ -69,15 +69,15 @@ pub struct Args {
 const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data: blob:; \
                       object-src 'none'; base-uri 'none'; form-action 'none'";
 
-/// Further headers of every response.
+/// Other headers of every response.
 const HEADERS: [(HeaderName, &str); 6] = [
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::REFERRER_POLICY, "no-referrer"),
     (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
     (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
-    // Cached, but revalidated each time, so that a rebuilt package reaches the page at its next load.
+    // Cached, but revalidated each time, so that the page's next load gets a rebuilt package.
     (header::CACHE_CONTROL, "no-cache"),
-    // `ServeDir` omits it from 304.
+    // `ServeDir` omits it from 304 responses.
     (header::VARY, "accept-encoding"),
 ];
 
@@ -101,7 +101,7 @@ impl Args {
         let assets = Folder::open(&assets).with_context(|| {
             format!("cannot serve {}: name the folder of the weights with --assets", assets.display())
         })?;
-        // The output of `make dist` has its wasm in the folder of its version.
+        // `make dist` puts the wasm in a folder named after its version.
         if !self.dir.join("pkg").is_dir() && !self.dir.join("service-worker.js").is_file() {
             say(&format!(
                 "warning: {} has no wasm package, so the page cannot start: run `make play`",
@@ -116,21 +116,22 @@ impl Args {
             let knows_its_names = address.ip().is_loopback() || !self.allow_host.is_empty();
             let hosts = if knows_its_names { Hosts::Named(self.allow_host) } else { Hosts::Any };
             let router = router(&page, &assets, policy, hosts, self.log);
-            // Signals are handled before the address is printed, so a script that reads it can stop the server.
+            // Signals are handled before the address is printed, so a script can stop the server as soon as it reads
+            // the address.
             let stop = stop_signal()?;
             announce(address)?;
             connections::serve(listener, router, Duration::from_secs(self.patience.into()), stop).await;
             anyhow::Ok(())
         })?;
-        // A file system that does not answer must not keep it from ending.
+        // A file system that does not respond must not keep the program from ending.
         runtime.shutdown_background();
         Ok(())
     }
 }
 
-/// Starts to listen for Ctrl+C and SIGTERM. The future resolves at the first.
+/// Starts to listen for Ctrl+C and SIGTERM. The future resolves at the first signal.
 ///
-/// The kernel ignores a SIGTERM that PID 1 does not handle, so without this a container would have to be killed.
+/// The kernel ignores a SIGTERM that PID 1 does not handle. Without this, a container would have to be killed.
 #[cfg(unix)]
 fn stop_signal() -> io::Result<impl Future<Output = ()>> {
     use tokio::signal::unix::{SignalKind, signal};
@@ -157,22 +158,22 @@ fn say(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 
-/// Prints the address that a browser on this machine opens.
+/// Prints the URL for a browser on this machine.
 fn announce(address: SocketAddr) -> anyhow::Result<()> {
     let mut opened = address;
-    // Not every system takes "all addresses" for one of its own.
+    // Not every system accepts the unspecified address as a destination.
     if address.ip().is_unspecified() {
         opened.set_ip(if address.is_ipv4() { Ipv4Addr::LOCALHOST.into() } else { Ipv6Addr::LOCALHOST.into() });
     }
     writeln!(io::stdout(), "Pathlight is at http://{opened}/ (Ctrl+C ends it)")?;
     if !address.ip().is_loopback() {
-        say("warning: every machine that can reach this one can open the page, under the address of this one");
+        say("warning: every machine that can reach this one can open the page at its address");
     }
     Ok(())
 }
 
 async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
-    // URLs write an IPv6 address in brackets.
+    // URLs enclose an IPv6 address in brackets.
     let host = host.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(host);
     match TcpListener::bind((host, port)).await {
         Ok(listener) => Ok(listener),
@@ -188,8 +189,8 @@ async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
     }
 }
 
-/// Parses an origin that may frame the page: scheme, host and port. No allowed character can end the rule in the
-/// policy.
+/// Parses an origin that may frame the page: scheme, host and port. None of the allowed characters can end the rule in
+/// the policy.
 fn origin(text: &str) -> Result<String, String> {
     let host = text.strip_prefix("https://").or_else(|| text.strip_prefix("http://")).unwrap_or_default();
     if !host.is_empty() && host.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-:[]*".contains(&byte)) {
@@ -199,7 +200,7 @@ fn origin(text: &str) -> Result<String, String> {
     }
 }
 
-/// Parses the name of a host, which `Hosts` compares with the name in the `Host` header.
+/// Parses a host name, which `Hosts` compares with the `Host` header.
 fn host_name(text: &str) -> Result<String, String> {
     if !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-_".contains(&byte)) {
         Ok(text.to_string())
@@ -208,7 +209,7 @@ fn host_name(text: &str) -> Result<String, String> {
     }
 }
 
-/// Returns the content security policy, with the origins that may frame the page.
+/// Returns the content security policy, including the origins that may frame the page.
 fn policy(frame_ancestors: &[String]) -> HeaderValue {
     let ancestors = if frame_ancestors.is_empty() { "'none'".to_string() } else { frame_ancestors.join(" ") };
     let policy = format!("{POLICY}; frame-ancestors {ancestors}");
@@ -232,8 +233,8 @@ fn router(page: &Folder, assets: &Folder, policy: HeaderValue, hosts: Hosts, log
         .layer(middleware::from_fn(move |client, request, next| access_log::log(lines.clone(), client, request, next)))
 }
 
-/// Serves a folder. Files with a `.br` or `.gz` beside them are sent compressed; nothing is compressed per request, so
-/// each encoding has its own length, ranges and ETag.
+/// Serves a folder. A file that has a `.br` or `.gz` version next to it is sent compressed. Nothing is compressed per
+/// request, so each encoding has its own length, ranges and ETag.
 fn files(folder: &Folder) -> Router {
     let missing = any(|| async { "There is nothing here. The page is at /\n" });
     let files = ServeDir::with_backend(folder.root(), folder.clone())

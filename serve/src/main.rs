@@ -1,11 +1,11 @@
-//! `pathlight-serve`: the command `pathlight serve` as its own binary, which `make play` builds in less time.
+//! `pathlight-serve`: `pathlight serve` as a separate binary, which `make play` can build faster.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
 
-/// Serve the page of Pathlight to a browser on this machine
+/// Serve the Pathlight page to a browser on this machine
 #[derive(Parser)]
 #[command(version)]
 struct CommandLine {

@@ -1,4 +1,4 @@
-//! The agents by the names that the command line and the results give them. Native only.
+//! The names of the agents on the command line and in the results. Native only.
 
 use std::fmt;
 use std::str::FromStr;
@@ -12,40 +12,40 @@ use super::{Agent, from_dqn, from_map, from_map_remembering, from_success_net, l
 use crate::nets::{Dqn, PathNet};
 use crate::puzzle::scene::Scene;
 
-/// What proposes balls, in the order of reports.
+/// An agent, in the order of reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AgentName {
-    /// Learns from its misses, by what it imagines (`OnlineAgent`).
+    /// Learns from its misses and imagines where balls lead (`OnlineAgent`).
     Online,
-    /// Learns from its misses, by the places of the balls alone.
+    /// Learns from its misses and compares balls only by place and radius.
     OnlineByBalls,
-    /// The dynamics net's list; learns nothing.
+    /// The dynamics net's ranking; learns nothing.
     Dynamics,
-    /// The success net's list; learns nothing.
+    /// The success net's ranking; learns nothing.
     Success,
-    /// The agent of Harter et al. (2020), from the placement map.
+    /// The agent of Harter et al. (2020), based on the placement map.
     Paper,
-    /// DQN's list, as in Bakhtin et al. (2019).
+    /// DQN's ranking, as in Bakhtin et al. (2019).
     Dqn,
     /// The published agent RAND: the first valid actions of PHYRE's list.
     Listed,
-    /// Uniform valid balls.
+    /// Uniformly random valid balls.
     Random,
 }
 
-/// The nets that were loaded.
+/// The loaded nets.
 #[derive(Clone, Copy)]
 pub struct Loaded<'a> {
-    /// Those of a model.
+    /// The nets of a model.
     pub nets: Option<&'a PathNet>,
     /// The weights of DQN.
     pub dqn: Option<&'a Dqn>,
 }
 
-/// What the weights of a model lack for an agent.
+/// The net that an agent needs and the weights lack.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the weights have no {net}: train one with `pathlight-lab train {command}`, or leave --agent {agent} out")]
+#[error("the weights have no {net}: train one with `pathlight-lab train {command}`, or omit --agent {agent}")]
 pub struct LacksNet {
     agent: AgentName,
     net: &'static str,
@@ -57,9 +57,9 @@ pub struct LacksNet {
 #[error("agent {0} cannot remember: use online, online-by-balls, paper or random")]
 pub struct CannotRemember(AgentName);
 
-/// A name that no agent has.
+/// A name that belongs to no agent.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no agent {0}: use {names}", names = AgentName::ALL.map(|name| name.to_string()).join(", "))]
+#[error("unknown agent {0}: use {names}", names = AgentName::ALL.map(|name| name.to_string()).join(", "))]
 pub struct UnknownAgent(String);
 
 impl AgentName {
@@ -75,7 +75,7 @@ impl AgentName {
         AgentName::Random,
     ];
 
-    /// Returns its name on the command line and in results.
+    /// Returns the agent's name on the command line and in results.
     pub fn name(self) -> &'static str {
         match self {
             AgentName::Online => "online",
@@ -89,7 +89,7 @@ impl AgentName {
         }
     }
 
-    /// Returns what it is, in a line of help.
+    /// Returns a one-line description for the help text.
     pub fn about(self) -> &'static str {
         match self {
             AgentName::Online => "The dynamics net, which imagines what balls lead to, and learns from its attempts",
@@ -109,15 +109,16 @@ impl AgentName {
         }
     }
 
-    /// Returns whether it plays with the weights of a model, not with DQN's or without any.
+    /// Returns whether the agent needs a model's weights. DQN has its own weights, and the random agents have none.
     pub fn is_of_model(self) -> bool {
         !matches!(self, AgentName::Dqn | AgentName::Listed | AgentName::Random)
     }
 
-    /// Checks that the weights of a model have what this agent needs of them.
+    /// Checks that a model's weights have the net that this agent needs.
     ///
     /// # Errors
-    /// Says what they lack.
+    ///
+    /// If the net is missing; the error names it.
     pub fn check(self, nets: &PathNet) -> Result<(), LacksNet> {
         let (has, net, command) = match self {
             AgentName::Success => (nets.success.is_some(), "success net", "success"),
@@ -139,11 +140,12 @@ impl AgentName {
         if remembers { Ok(()) } else { Err(CannotRemember(self)) }
     }
 
-    /// Returns this agent at work on a scene, with what a memory says about its balls. The random agent then chooses
-    /// among random balls.
+    /// Starts this agent on a scene, with what a memory says about its balls. The random agent then chooses among
+    /// random balls.
     ///
     /// # Panics
-    /// As `start`, and if the agent cannot remember.
+    ///
+    /// If the nets that it needs were not loaded, or the agent cannot remember.
     pub fn start_with(
         self,
         loaded: Loaded,
@@ -165,7 +167,7 @@ impl AgentName {
         Box::new(OnlineAgent::new(candidates, self.similarity()))
     }
 
-    /// Returns what makes two balls alike for this agent when it learns from attempts.
+    /// Returns the similarity of balls that this agent uses when it learns from attempts.
     pub fn similarity(self) -> Similarity {
         match self {
             AgentName::Online | AgentName::Dynamics => Similarity::DEFAULT,
@@ -173,13 +175,14 @@ impl AgentName {
         }
     }
 
-    /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle.
+    /// Starts this agent on a scene, with up to `count` balls. `seed` is the puzzle's.
     ///
     /// # Panics
-    /// If the nets that it needs were not loaded; `Listed` and `Random` go without nets.
+    ///
+    /// If the nets that it needs were not loaded. `Listed` and `Random` need none.
     pub fn start(self, loaded: Loaded, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         let nets = || loaded.nets.expect("the weights of a model are loaded first");
-        // Damaged weights know no candidates; another agent must not be measured instead of this one.
+        // Damaged weights yield no candidates. Do not measure another agent in place of this one.
         let online =
             || OnlineAgent::new(imagined_candidates(nets(), scene, count).unwrap_or_default(), self.similarity());
         let proposals = match self {

@@ -1,14 +1,14 @@
-//! Which of the balls that the success net scores, one for each radius and cell, fit into a scene.
+//! Finds the balls that fit into a scene among those that the success net scores, one for each radius and cell.
 //!
-//! Where a ball fits, every smaller one fits too. So it is enough to know how many of the radii fit on each cell,
-//! which one clearance for each cell determines. Used by `ranking`.
+//! Where a ball fits, every smaller one fits too. So it is enough to count the radii that fit on each cell, and one
+//! clearance per cell determines that count. Used by `ranking`.
 
 use crate::nets::success_net::{RADII, ball_at};
 use crate::puzzle::action::{Ball, Obstacles, overlaps};
 use crate::puzzle::scene::Scene;
 use crate::raster::{CELLS, SIDE};
 
-/// The valid balls among those that the success net scores, each named by the index of its logit.
+/// The valid balls among those that the success net scores, each identified by the index of its logit.
 pub(crate) struct FittingBalls {
     /// The number of radii that fit, for each cell.
     counts: Vec<usize>,
@@ -21,7 +21,7 @@ pub(crate) struct FittingBalls {
 impl FittingBalls {
     pub(crate) fn new(scene: &Scene) -> FittingBalls {
         let obstacles = Obstacles::new(scene);
-        // x and y follow the same rule, so the balls on the diagonal of an empty scene give both.
+        // x and y follow the same rule, so the balls on the diagonal of an empty scene determine both.
         let nothing = Obstacles::default();
         let placed =
             |index: usize, radius: usize| nothing.place(ball_at(radius * CELLS + index * SIDE + index).action()).ok();
@@ -41,12 +41,12 @@ impl FittingBalls {
         FittingBalls { counts: (0..CELLS).map(count).collect(), coordinates, radii }
     }
 
-    /// Returns how many of the radii fit on a cell: the smallest ones.
+    /// Returns how many radii fit on a cell. These are the smallest ones.
     pub(crate) fn count(&self, cell: usize) -> usize {
         self.counts[cell]
     }
 
-    /// Returns the ball of a logit; it is valid if its radius is among those that fit on its cell.
+    /// Returns the ball of a logit. It is valid if its radius is among those that fit on its cell.
     pub(crate) fn ball(&self, index: usize) -> Ball {
         let (radius, cell) = (index / CELLS, index % CELLS);
         Ball { x: self.coordinates[cell % SIDE], y: self.coordinates[cell / SIDE], r: self.radii[radius] }
@@ -59,7 +59,8 @@ mod tests {
     use crate::puzzle::task::{Task, ids};
     use crate::puzzle::templates::TEMPLATES;
 
-    /// The rule of all actions, for one task of each template and every ball that the success net scores.
+    /// Compares with the rule for all actions, for one task of each template and every ball that the success net
+    /// scores.
     #[test]
     fn the_balls_that_fit_are_those_that_their_actions_place() {
         for (number, template) in TEMPLATES.iter().enumerate() {

@@ -8,17 +8,17 @@ use crate::nets::Dqn;
 use crate::puzzle::action::{Action, Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
-/// Actions in the list, as published. Those that are invalid in a scene are no attempts.
+/// Actions in the list, as published. Those that are invalid in a scene are not attempts.
 const ACTIONS: usize = 10_000;
 
-/// Returns the list, uniform over the action space.
+/// Returns the list, drawn uniformly from the action space.
 fn actions() -> impl Iterator<Item = Action> {
     let mut rng = Pcg64Mcg::seed_from_u64(0);
     std::iter::repeat_with(move || Action { x: rng.random(), y: rng.random(), r: rng.random() }).take(ACTIONS)
 }
 
 /// Returns up to `attempts` valid balls of the list, the most probable first. Actions whose logit is not finite are
-/// left out.
+/// omitted.
 pub(crate) fn ranked(dqn: &Dqn, scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let obstacles = Obstacles::new(scene);
     let placed = actions().filter_map(|action| Some((action, obstacles.place(action).ok()?)));

@@ -1,37 +1,37 @@
 //! Gaussian process classification, one outcome at a time (Csató and Opper 2002, "Sparse On-Line Gaussian Processes";
 //! Rasmussen and Williams 2006, chapter 3).
 //!
-//! The logit of the chance that a ball solves is a latent function of an input, here the ball and the path that is
-//! imagined for it: Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance
-//! between two inputs. So an outcome changes the logits of all balls whose inputs resemble the observed one. Each
-//! outcome is one Laplace step: the mode and the curvature of the posterior along the observed logit make a rank-one
-//! update. Deterministic: sums in a fixed order, and no function that depends on the platform. Used by `online`.
+//! The logit of the chance that a ball solves is a latent function of an input, here the ball and its imagined path.
+//! The function is a Gaussian process, with the net's logit as its prior mean and a covariance that falls with the
+//! distance between two inputs. An outcome therefore changes the logits of all balls whose inputs resemble the observed
+//! one. Each outcome is one Laplace step: the mode and the curvature of the posterior along the observed logit give a
+//! rank-one update. Deterministic: sums have a fixed order, and no function depends on the platform. Used by `online`.
 
 use super::sigmoid;
 
-/// How often the interval that holds the mode is halved. It begins as wide as the variance, and ends narrower than f64
+/// How often to halve the interval that holds the mode. It begins as wide as the variance and ends narrower than f64
 /// can resolve.
 const HALVINGS: usize = 60;
 
 /// The prior covariance of the logits of two inputs.
 pub trait Kernel {
-    /// What is compared.
+    /// The input to compare.
     type Input: Copy;
 
-    /// Inputs in an arrangement that is fast to compare with one more.
+    /// Many inputs, arranged for fast comparison with one more.
     type Inputs;
 
     /// Arranges inputs.
     fn arrange(&self, inputs: &[Self::Input]) -> Self::Inputs;
 
-    /// Returns the prior covariances of the logits of all of these inputs with that of another.
+    /// Returns the prior covariances of the logits of all `inputs` with the logit of `with`.
     fn covariances(&self, inputs: &Self::Inputs, with: &Self::Input) -> Vec<f64>;
 
     /// Returns the prior covariance of the logits of two inputs.
     fn covariance(&self, a: &Self::Input, b: &Self::Input) -> f64;
 }
 
-/// The logits of some candidates, given the outcomes observed so far.
+/// The logits of a set of candidates, given the outcomes observed so far.
 pub struct GaussianProcessClassifier<K: Kernel> {
     kernel: K,
     inputs: K::Inputs,
@@ -52,7 +52,7 @@ struct RankOne<I> {
 }
 
 impl<K: Kernel> GaussianProcessClassifier<K> {
-    /// Returns the prior: the mean logit and the input of each candidate.
+    /// Creates the prior from the mean logit and the input of each candidate.
     pub fn new(kernel: K, prior: Vec<f64>, inputs: &[K::Input]) -> GaussianProcessClassifier<K> {
         assert_eq!(prior.len(), inputs.len(), "an input for each candidate");
         let inputs = kernel.arrange(inputs);
@@ -64,8 +64,8 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
         &self.means
     }
 
-    /// Updates the logits by the outcome of a candidate, whose input turned out to be `input`. Returns by how much the
-    /// mean logit of each candidate has risen; negative if it has fallen.
+    /// Updates the logits with the outcome of a candidate, whose actual input turned out to be `input`. Returns the
+    /// change of each candidate's mean logit.
     pub fn observe(&mut self, candidate: usize, input: K::Input, solved: bool) -> Vec<f64> {
         let mut mean = self.prior[candidate];
         let mut variance = self.kernel.covariance(&input, &input);
@@ -91,8 +91,8 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
         rises
     }
 
-    /// How much of the covariance of two inputs the first observations explain. `a` and `b` hold the covariances of
-    /// each with these observations.
+    /// Returns how much of the covariance of two inputs the first observations explain. `a` and `b` hold the
+    /// covariances of each input with these observations.
     fn explained(&self, a: &[f64], b: &[f64]) -> f64 {
         self.observations.iter().zip(a.iter().zip(b)).map(|(earlier, (a, b))| earlier.weight * a * b).sum()
     }
@@ -102,8 +102,8 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
 /// rank-one update of the covariance: w / (1 + w variance), where w is the curvature there.
 fn laplace_step(mean: f64, variance: f64, solved: bool) -> (f64, f64) {
     let target = if solved { 1.0 } else { 0.0 };
-    // The mode is where logit = mean + variance (target − sigmoid(logit)), of which the right side falls. Newton's
-    // method would have to be guarded: from a large logit it jumps back and forth.
+    // The mode is where logit = mean + variance (target − sigmoid(logit)), whose right side falls. Newton's method
+    // would need safeguards: from a large logit it oscillates.
     let mut low = mean - variance * (1.0 - target);
     let mut high = mean + variance * target;
     for _ in 0..HALVINGS {
@@ -139,7 +139,7 @@ mod tests {
         }
     }
 
-    /// The mode is where prior times likelihood is greatest on a fine grid.
+    /// The mode maximizes prior times likelihood on a fine grid.
     #[test]
     fn one_failure_moves_its_own_logit_to_the_mode_of_its_posterior() {
         for prior in [-6.0, 0.0, 1.5, 7.0] {
@@ -166,7 +166,7 @@ mod tests {
         assert!(solved[5] > solved[3] && solved[5] > 0.0);
     }
 
-    /// The rank-one updates are those of the dense covariance matrix.
+    /// The rank-one updates agree with those of the dense covariance matrix.
     #[test]
     fn many_outcomes_leave_what_a_dense_covariance_leaves() {
         let inputs: Vec<f32> = (0..9).map(|x| x as f32 * 0.7).collect();

@@ -1,9 +1,9 @@
 //! The candidates of the agents that reason in paths: the most promising balls of a scene, each imagined by the
 //! dynamics net.
 //!
-//! The places and radii that the net ranks are some px apart, and often a single px decides. So the likeliest
+//! The places and radii that the net ranks are some px apart, and often a single px is decisive. So the likeliest
 //! candidates take one step of steepest-ascent hill climbing: each is replaced by its likeliest neighbour. Further
-//! steps, longer ones and more candidates gain nothing on dev tasks.
+//! steps, longer steps or more candidates bring no gain on dev tasks.
 
 use super::memory::Recollection;
 use super::online::{Candidate, OnlineAgent, Similarity};
@@ -12,17 +12,17 @@ use crate::nets::{ImaginedBall, PathNet, ReadScene};
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
-/// Candidates of a scene, unless more are asked for: four times as many as there are attempts.
+/// Default number of candidates of a scene: four times the number of attempts.
 pub(super) const CANDIDATES: usize = 400;
 
-/// The likeliest candidates, whose neighbours are imagined too. The others are hardly ever tried.
+/// The likeliest candidates, whose neighbours are imagined too. Other candidates are hardly ever tried.
 const CLIMBERS: usize = 100;
 
-/// By how much a neighbour differs in x, y or radius, px.
+/// Difference of a neighbour in x, y or radius, px.
 const STEP: f64 = 1.0;
 
-/// Returns the candidates of a scene, all different: at least `count`, unless fewer balls fit. `None` if the weights
-/// have no dynamics net, or are damaged so that no chance is a number.
+/// Returns the distinct candidates of a scene: at least `count`, unless fewer balls fit. `None` if the weights have no
+/// dynamics net, or are so damaged that no chance is a number.
 pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
     candidates_of(&nets.read(scene)?, scene, count)
 }
@@ -36,7 +36,7 @@ pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Op
     (!candidates.is_empty()).then_some(candidates)
 }
 
-/// Returns candidates, and balls that solved similar scenes, with the logits that a memory gives them.
+/// Returns the candidates plus balls that solved similar scenes, with logits adjusted by a memory.
 pub fn remembered(
     mut candidates: Vec<Candidate>,
     read: &ReadScene,
@@ -50,13 +50,13 @@ pub fn remembered(
 }
 
 /// Returns up to `count` proposals: the candidates in the order in which the online agent tries them if all attempts
-/// fail, then the balls that the net ranks behind the candidates. A longer list begins with the balls of a shorter one.
+/// fail, then the next balls in the net's ranking. A longer list begins with the balls of a shorter one.
 pub(super) fn proposals(candidates: Vec<Candidate>, nets: &PathNet, scene: &Scene, count: usize) -> Vec<Proposal> {
     let mut proposals = OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
     if proposals.len() < count
         && let Some(read) = nets.read(scene)
     {
-        // More than are missing: some are candidates that have climbed there.
+        // More than are missing, because some are already candidates, reached by climbing.
         let ranked = ranking::ranked(&read.logits, scene, count + CANDIDATES);
         for proposal in ranked.into_iter().skip(CANDIDATES) {
             if proposals.iter().all(|before| before.ball != proposal.ball) {
@@ -68,7 +68,7 @@ pub(super) fn proposals(candidates: Vec<Candidate>, nets: &PathNet, scene: &Scen
     proposals
 }
 
-/// Replaces each of the likeliest candidates by its likeliest neighbour, if that is likelier and no candidate yet.
+/// Replaces each of the likeliest candidates by its likeliest neighbour, if that is likelier and not yet a candidate.
 fn climb(candidates: &mut [Candidate], read: &ReadScene, obstacles: &Obstacles) {
     let mut order: Vec<usize> = (0..candidates.len()).collect();
     order.sort_by(|&a, &b| candidates[b].logit.total_cmp(&candidates[a].logit));
@@ -85,7 +85,7 @@ fn climb(candidates: &mut [Candidate], read: &ReadScene, obstacles: &Obstacles) 
     }
 }
 
-/// The valid balls beside a ball.
+/// Returns the valid neighbours of a ball.
 fn neighbours(ball: Ball, obstacles: &Obstacles) -> impl Iterator<Item = Ball> {
     let Ball { x, y, r } = ball;
     let moved = [-STEP, STEP].into_iter().flat_map(move |step| {
@@ -101,7 +101,7 @@ fn imagine(read: &ReadScene, balls: &[Ball]) -> impl Iterator<Item = Candidate> 
     imagined.map(|(ImaginedBall { logit, paths, .. }, &ball)| Candidate { ball, logit: logit.into(), paths })
 }
 
-/// Whether the logit and all coordinates are finite. With damaged weights they may not be.
+/// Returns whether the logit and all coordinates are finite. With damaged weights they may not be.
 fn is_finite(candidate: &Candidate) -> bool {
     let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();
     candidate.logit.is_finite() && paths.into_iter().all(|coordinate| coordinate.is_finite())
@@ -117,7 +117,7 @@ pub(super) mod tests {
     use crate::puzzle::task::Task;
 
     thread_local! {
-        /// Balls that this thread has imagined.
+        /// Number of balls that this thread has imagined.
         pub static IMAGINED: Cell<usize> = const { Cell::new(0) };
     }
 

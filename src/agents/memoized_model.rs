@@ -1,5 +1,5 @@
-//! The model with what its dynamics net has imagined of the last scene. A page asks about one scene for its candidates,
-//! for single balls, for the list of proposals and for a turn; all of these start from the same candidates.
+//! The model, with a cache of what its dynamics net imagined for the last scene. A page asks about one scene for its
+//! candidates, for single balls, for the list of proposals and for a turn; all of these start from the same candidates.
 
 use std::cell::{OnceCell, RefCell};
 
@@ -11,14 +11,14 @@ use crate::nets::{ImaginedBall, PathNet, ReadScene};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 
-/// Nets that keep what they have read of the last scene.
+/// Nets with a cache for the last scene.
 pub struct MemoizedModel {
     /// The nets.
     pub nets: PathNet,
     last: RefCell<Option<Memo>>,
 }
 
-/// A scene, and what the dynamics net made of it.
+/// A scene, and the dynamics net's results for it.
 struct Memo {
     scene: Scene,
     read: ReadScene,
@@ -26,7 +26,7 @@ struct Memo {
 }
 
 impl MemoizedModel {
-    /// Returns the nets, which have read no scene yet.
+    /// Creates the model with an empty cache.
     pub fn new(nets: PathNet) -> MemoizedModel {
         MemoizedModel { nets, last: RefCell::new(None) }
     }
@@ -36,10 +36,10 @@ impl MemoizedModel {
         self.with_memo(scene, |memo| memo.read.imagine(&[ball]).pop())?
     }
 
-    /// Returns what `imagined_candidates` does.
+    /// Like `imagined_candidates`.
     pub fn candidates(&self, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
         self.with_memo(scene, |Memo { read, candidates, .. }| {
-            // A longer list is made of other candidates.
+            // A longer list consists of different candidates.
             if count > CANDIDATES {
                 return candidates_of(read, scene, count);
             }
@@ -47,25 +47,26 @@ impl MemoizedModel {
         })?
     }
 
-    /// Returns what `agents::start` does.
+    /// Like `agents::start`.
     pub fn start(&self, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         start_from(self.candidates(scene, count), &self.nets, scene, seed, count)
     }
 
-    /// Returns the model at work with what a memory says about the balls of a scene; `None` if the weights have no
-    /// dynamics net.
+    /// Starts the model on a scene, with what a memory says about its balls; `None` if the weights have no dynamics
+    /// net.
     pub fn start_with(&self, scene: &Scene, count: usize, recollection: &Recollection) -> Option<Box<dyn Agent>> {
         let candidates = self.candidates(scene, count)?;
         let candidates = self.with_memo(scene, |memo| remembered(candidates, &memo.read, scene, recollection))?;
         Some(Box::new(OnlineAgent::new(candidates, Similarity::OF_BALLS)))
     }
 
-    /// Returns what `agents::propose` does.
+    /// Like `agents::propose`.
     pub fn propose(&self, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
         propose_from(self.candidates(scene, CANDIDATES), &self.nets, scene, seed, count)
     }
 
-    /// Asks about a scene, which is read first if it is another than the last; `None` without a dynamics net.
+    /// Calls `ask` with the results for a scene, which is read first unless it was the last; `None` without a dynamics
+    /// net.
     fn with_memo<Answer>(&self, scene: &Scene, ask: impl FnOnce(&Memo) -> Answer) -> Option<Answer> {
         let mut last = self.last.borrow_mut();
         if last.as_ref().is_none_or(|memo| memo.scene != *scene) {
@@ -89,7 +90,7 @@ mod tests {
         Task::load(id.parse().expect("an id")).expect("a task").scene
     }
 
-    /// How many balls a function imagines.
+    /// Returns how many balls a function imagines.
     fn imagined(act: impl FnOnce()) -> usize {
         let before = IMAGINED.get();
         act();

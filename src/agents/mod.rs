@@ -1,9 +1,9 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
-//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. What
-//! the nets compute, and so what agents propose, is the same natively and in wasm, bit for bit
+//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. The
+//! nets' results, and therefore the agents' proposals, are the same natively and in wasm, bit for bit
 //! (`tests/proposals_golden.rs`). No agent calls the simulator. All balls are valid and in the order of the attempts.
-//! `seed` is that of one puzzle: `TaskId::seed`.
+//! `seed` belongs to one puzzle: `TaskId::seed`.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod agent_name;
@@ -36,25 +36,25 @@ use crate::puzzle::sampled_paths::SampledPaths;
 use crate::puzzle::sampling::uniform_ball;
 use crate::puzzle::scene::Scene;
 
-/// An agent at work on one puzzle: it proposes balls one by one, and may learn from their outcomes.
+/// An agent at work on one puzzle. It proposes balls one by one, and may learn from their outcomes.
 pub trait Agent: Send {
-    /// Returns the next ball; `None` if it has no more.
+    /// Returns the next ball; `None` if no more are left.
     fn propose(&mut self) -> Option<Proposal>;
 
-    /// Tells the agent the outcome of the attempt with the ball that it proposed last.
+    /// Reports the outcome of the attempt with the ball that was proposed last.
     fn observe(&mut self, observation: &Observation);
 }
 
-/// What an agent is told about an attempt.
+/// The outcome of an attempt, as reported to an agent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observation {
     /// Whether the attempt solved the task.
     pub solved: bool,
-    /// What really happened, if it was recorded.
+    /// The actual paths, if they were recorded.
     pub paths: Option<SampledPaths>,
 }
 
-/// A list that was ordered beforehand is an agent that learns nothing.
+/// A precomputed list acts as an agent that learns nothing.
 impl Agent for std::vec::IntoIter<Proposal> {
     fn propose(&mut self) -> Option<Proposal> {
         self.next()
@@ -70,12 +70,12 @@ pub struct Proposal {
     pub ball: Ball,
     /// How it was found.
     pub origin: Origin,
-    /// Draws before it that were rejected: invalid, or proposed already.
+    /// Number of rejected draws before it: invalid, or already proposed.
     pub rejected: usize,
 }
 
 impl Proposal {
-    /// Returns the probability, 0..=1, that it solves, if the agent gives one.
+    /// Returns the probability, 0..=1, that the ball solves, if the agent predicts one.
     pub fn chance(&self) -> Option<f64> {
         match self.origin {
             Origin::Map { .. } | Origin::Perturbed { .. } | Origin::Uniform => None,
@@ -86,49 +86,49 @@ impl Proposal {
     }
 }
 
-/// Where a proposal comes from.
+/// The origin of a proposal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the variants say what their fields are")]
 pub enum Origin {
-    /// A cell of the placement map, by its centre in px, from which the ball was improved.
+    /// A cell of the placement map, given by its centre in px, from which the ball was improved.
     Map { x: f64, y: f64 },
     /// The end of a random walk from an earlier proposal, given by its number from 1.
     Perturbed { number: usize },
-    /// Uniform over the action space: by the random agent, or because the placement map has no place where a ball may
-    /// be.
+    /// Uniform over the action space: from the random agent, or because no place on the placement map has room for a
+    /// ball.
     Uniform,
     /// The success net's maps: the probability, 0..=1, that the ball solves, lowered by the proposals before it.
     Success { probability: f64 },
-    /// The dynamics net: the probability, 0..=1, that the ball solves, as imagined before any attempt, and after the
-    /// attempts so far; and the attempt, by its number from 1, that lowered it most, if one did noticeably.
+    /// The dynamics net: the probability, 0..=1, that the ball solves, first as imagined before any attempt (`prior`),
+    /// then after the attempts so far. `lowered_by` is the number, from 1, of the attempt that lowered it most, if one
+    /// did noticeably.
     Imagined { prior: f64, probability: f64, lowered_by: Option<usize> },
     /// DQN's fixed list: the probability, 0..=1, that the ball solves.
     #[cfg(not(target_arch = "wasm32"))]
     Dqn { probability: f64 },
 }
 
-/// Version of the proposals, as `simulator::VERSION` is of the rollouts. Raise it whenever the same weights or the same
-/// seed make an agent without a memory propose other balls or another order: results record it, and those of other
-/// versions are not comparable. `tests/proposals_golden.rs` fails when proposals change. A change of rounding needs no
+/// Version of the proposals, like `simulator::VERSION` for the rollouts. Raise it whenever the same weights or the same
+/// seed make an agent without a memory propose other balls or another order. Results record it, and those of other
+/// versions are not comparable. `tests/proposals_golden.rs` fails when proposals change. A change in rounding needs no
 /// new version if `pathlight-lab measure evaluate` finds the same solving attempts at all test tasks of fold 0, within
 /// and cross.
 pub const VERSION: u32 = 4;
 
-/// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
-/// `count` proposals.
+/// Starts the model on a scene: the online agent, or, if the weights have no dynamics net, the list of up to `count`
+/// proposals.
 pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
     start_from(imagined_candidates(nets, scene, count), nets, scene, seed, count)
 }
 
-/// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds
-/// most probable; from weights without one those of its success net; without a success net those that its placement map
-/// suggests.
+/// Returns up to `count` proposals of the model, without learning from attempts. They come from the dynamics net, most
+/// probable first; if the weights have none, from the success net; and without a success net, from the placement map.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     propose_from(imagined_candidates(nets, scene, CANDIDATES), nets, scene, seed, count)
 }
 
-/// `start` with candidates that have been imagined already.
+/// `start` with candidates that are already imagined.
 fn start_from(
     candidates: Option<Vec<Candidate>>,
     nets: &PathNet,
@@ -142,7 +142,7 @@ fn start_from(
     }
 }
 
-/// `propose` with candidates that have been imagined already.
+/// `propose` with candidates that are already imagined.
 fn propose_from(
     candidates: Option<Vec<Candidate>>,
     nets: &PathNet,
@@ -153,7 +153,7 @@ fn propose_from(
     if let Some(candidates) = candidates {
         return imagined_candidates::proposals(candidates, nets, scene, count);
     }
-    // Damaged weights may have a success net whose logits are NaN; it ranks nothing.
+    // A damaged success net may have logits that are NaN, which rank nothing.
     match from_success_net(nets, scene, count) {
         Some(ranked) if !ranked.is_empty() => ranked,
         _ => from_map(nets, scene, seed, count),
@@ -161,7 +161,7 @@ fn propose_from(
 }
 
 /// Returns up to `count` proposals of the success net alone, or of the dynamics net's logits of the cells; `None` if
-/// the weights have neither.
+/// the weights have neither net.
 pub fn from_success_net(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
     Some(ranking::ranked(&nets.cell_logits(scene)?, scene, count))
 }
@@ -184,7 +184,7 @@ pub fn from_map_remembering(
     recollection.candidates(scene, list, placement::logit_of_rank)
 }
 
-/// Returns up to `count` proposals of DQN, the benchmark's baseline: the best of a fixed list of actions.
+/// Returns up to `count` proposals of DQN, the benchmark's baseline: the best actions of a fixed list.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn from_dqn(dqn: &Dqn, scene: &Scene, count: usize) -> Vec<Proposal> {
     fixed_actions::ranked(dqn, scene, count)
@@ -199,7 +199,7 @@ pub fn random(scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
 }
 
 /// Returns the first `count` balls of PHYRE's list of actions that are valid in the scene: the published agent RAND
-/// (Bakhtin et al. 2019). Invalid actions are no attempts.
+/// (Bakhtin et al. 2019). Invalid actions are not attempts.
 pub fn listed(scene: &Scene, count: usize) -> Vec<Proposal> {
     let obstacles = Obstacles::new(scene);
     let mut rejected = 0;
@@ -213,7 +213,7 @@ pub fn listed(scene: &Scene, count: usize) -> Vec<Proposal> {
     placed.take(count).collect()
 }
 
-/// Returns the probability of a logit, with libm, so that wasm computes the same.
+/// Returns the probability of a logit. Uses libm, so that wasm computes the same value.
 pub fn sigmoid(logit: f64) -> f64 {
     1.0 / (1.0 + libm::exp(-logit))
 }

@@ -1,9 +1,9 @@
-//! The online agent: tries the most promising of some candidates, and learns from each attempt that fails. Candidates
-//! near the ball that failed, and candidates whose imagined paths resemble its paths, become less probable; the others
-//! stay.
+//! The online agent: tries the most promising candidates and learns from each failed attempt. Candidates near the
+//! failed ball, and candidates whose imagined paths resemble its paths, become less probable; other candidates keep
+//! their chances.
 //!
-//! PHYRE's paper (Bakhtin et al. 2019) calls an agent online that learns at the counted attempts. Here the learning is
-//! Gaussian process classification, updated by each outcome. Draws nothing at random.
+//! In PHYRE's paper (Bakhtin et al. 2019), an online agent learns during the counted attempts. Here the learning is
+//! Gaussian process classification, updated by each outcome. Nothing is drawn at random.
 
 use super::gaussian_process::{GaussianProcessClassifier, Kernel};
 use super::squared_exponential::{Points, SquaredExponential};
@@ -11,50 +11,50 @@ use super::{Agent, Observation, Origin, Proposal, sigmoid};
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 
-/// Logits are equal if they round to the same multiple of this: the order must not depend on the last bits.
+/// Logits are equal if they round to the same multiple of this, because the order must not depend on the last bits.
 const RESOLUTION: f64 = 1.0 / 65536.0;
 
-/// How much an attempt must have lowered a logit to be named as the reason.
+/// An attempt is named as the reason only if it lowered a logit by at least this much.
 const NOTICEABLE: f64 = 0.25;
 
-/// A valid ball that may be tried, and what is expected of it.
+/// A valid ball to try, and its predicted outcome.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     /// The ball, px.
     pub ball: Ball,
     /// The logit of the chance that it solves; finite.
     pub logit: f64,
-    /// What is imagined to happen.
+    /// The imagined paths.
     pub paths: SampledPaths,
 }
 
-/// What makes two candidates alike: the sum of the covariances of their balls and of their paths.
+/// The similarity of two candidates: the sum of the covariances of their balls and of their paths.
 #[derive(Clone, Copy, Debug)]
 pub struct Similarity {
-    /// Of x, y and radius, px.
+    /// The covariance by x, y and radius, px.
     pub balls: SquaredExponential,
-    /// Of the positions of the green object, px.
+    /// The covariance by the positions of the green object, px.
     pub paths: SquaredExponential,
 }
 
 impl Similarity {
-    /// Chosen on dev tasks: `cargo bench --features ndarray --bench online -- FILE`, the weights.
+    /// Chosen on dev tasks with `cargo bench --features ndarray --bench online -- FILE`, where FILE holds the weights.
     pub const DEFAULT: Similarity = Similarity {
         balls: SquaredExponential { variance: 16.0, length_scale: 4.5 },
         paths: SquaredExponential { variance: 4.0, length_scale: 10.0 },
     };
 
-    /// Balls alone, wherever they lead.
+    /// Compares only the balls, wherever they lead.
     pub const OF_BALLS: Similarity =
         Similarity { paths: SquaredExponential { variance: 0.0, ..Similarity::DEFAULT.paths }, ..Similarity::DEFAULT };
 }
 
-/// What candidates are compared by: the ball, and what it is imagined to lead to.
+/// The input of the comparison: a ball, and its imagined paths.
 type Idea = (Ball, SampledPaths);
 
 impl Kernel for Similarity {
     type Input = Idea;
-    /// Balls, and paths of the green object.
+    /// Balls, and the green object's paths.
     type Inputs = [Points; 2];
 
     fn arrange(&self, ideas: &[Idea]) -> [Points; 2] {
@@ -85,7 +85,7 @@ fn place(ball: &Ball) -> [f32; 3] {
     [ball.x as f32, ball.y as f32, ball.r as f32]
 }
 
-/// Of the green object.
+/// The coordinates of the green object.
 fn coordinates(paths: &SampledPaths) -> [f32; 2 * SAMPLES] {
     std::array::from_fn(|index| paths.object[index / 2][index % 2])
 }
@@ -95,16 +95,16 @@ pub struct OnlineAgent {
     candidates: Vec<Candidate>,
     process: GaussianProcessClassifier<Similarity>,
     tried: Vec<bool>,
-    /// The candidate that was proposed last.
+    /// The index of the candidate that was proposed last.
     last: Option<usize>,
-    /// Attempts observed.
+    /// Number of attempts observed.
     attempts: usize,
-    /// For each candidate the attempt that lowered its logit most, by its number from 1, and by how much.
+    /// For each candidate, the number, from 1, of the attempt that lowered its logit most, and by how much.
     lowered: Vec<(usize, f64)>,
 }
 
 impl OnlineAgent {
-    /// Returns an agent that has made no attempt yet.
+    /// Creates an agent that has made no attempt yet.
     pub fn new(candidates: Vec<Candidate>, similarity: Similarity) -> OnlineAgent {
         let ideas: Vec<Idea> = candidates.iter().map(|candidate| (candidate.ball, candidate.paths)).collect();
         let logits = candidates.iter().map(|candidate| candidate.logit).collect();
@@ -118,8 +118,8 @@ impl OnlineAgent {
         }
     }
 
-    /// Returns the `count` balls that it tries if every attempt fails and it is never told the real paths: a
-    /// fixed list, which learns nothing from the attempts.
+    /// Returns the `count` balls that the agent tries if every attempt fails and no real paths are reported: a fixed
+    /// list, which learns nothing from the attempts.
     pub fn list(mut self, count: usize) -> Vec<Proposal> {
         let next = || {
             let proposal = self.propose()?;
@@ -135,7 +135,7 @@ impl Agent for OnlineAgent {
         let means = self.process.means();
         let rounded = |index: usize| (means[index] / RESOLUTION).round() as i64;
         let untried = (0..means.len()).filter(|&index| !self.tried[index]);
-        // `max_by_key` returns the last of equals; in reverse order that is the first.
+        // `max_by_key` returns the last of equals, which in reverse order is the first.
         let best = untried.rev().max_by_key(|&index| rounded(index))?;
         self.tried[best] = true;
         self.last = Some(best);
@@ -152,7 +152,7 @@ impl Agent for OnlineAgent {
         let Some(last) = self.last.take() else { return };
         self.attempts += 1;
         let Candidate { ball, paths, .. } = self.candidates[last];
-        // The outcome counts twice: for the paths that were imagined, and for those that were then seen.
+        // The outcome counts twice: for the imagined paths, and for the observed ones.
         let mut rises = self.process.observe(last, (ball, paths), observation.solved);
         if let Some(real_paths) = observation.paths {
             let more = self.process.observe(last, (ball, real_paths), observation.solved);
@@ -170,13 +170,13 @@ impl Agent for OnlineAgent {
 mod tests {
     use super::*;
 
-    /// A ball after which the green object lies still at `object`.
+    /// A ball that leaves the green object at rest at `object`.
     fn candidate(x: f64, logit: f64, object: f32) -> Candidate {
         let paths = SampledPaths { object: [[object, 50.0]; SAMPLES], ball: [[x as f32, 10.0]; SAMPLES] };
         Candidate { ball: Ball { x, y: 100.0, r: 5.0 }, logit, paths }
     }
 
-    /// Two ideas: the first three candidates lead the object to 60 px, the others to 200 px.
+    /// Two ideas: the first three candidates lead the object to 60 px, the rest to 200 px.
     fn two_ideas() -> Vec<Candidate> {
         vec![
             candidate(100.0, 2.0, 60.0),
@@ -252,7 +252,7 @@ mod tests {
     fn of_equal_candidates_the_first_comes_first_and_an_invalid_ball_teaches_nothing() {
         let equal = (0..4).map(|index| candidate(10.0 * f64::from(index), 1.0 + 1e-9 * f64::from(index), 70.0));
         let mut agent = agent(equal.collect());
-        // Nothing is observed of balls that another simulator calls invalid.
+        // No outcome is observed for balls that another simulator calls invalid.
         let places: Vec<f64> = std::iter::from_fn(|| agent.propose()).map(|proposal| proposal.ball.x).collect();
         assert_eq!(places, [0.0, 10.0, 20.0, 30.0]);
     }

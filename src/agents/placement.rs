@@ -1,10 +1,10 @@
 //! From the placement map to balls: step 5 of Harter et al. (2020), without calling the simulator.
 //!
-//! Up to five balls are placed on cells of the map above a threshold, with random radii, and each is improved in five
-//! rounds of hill climbing on how well it fits the map. These are the first attempts. The others are random walks from
-//! these five in turn, as in the authors' published code: from the first by short steps that grow slowly, from the
-//! others by long ones. Proposals are valid and distinct. Starts and ends of walks also keep a distance from each
-//! other, unless a walk finds no such place soon.
+//! Up to five balls are placed on cells of the map above a threshold, with random radii. Five rounds of hill climbing
+//! then improve how well each ball fits the map. These are the first attempts. Further attempts are random walks from
+//! these five in turn, as in the authors' published code: short steps that grow slowly from the first ball, long steps
+//! from the rest. Proposals are valid and distinct. Starts and ends of walks also keep a minimum distance from each
+//! other, unless a walk does not soon find such a place.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -15,48 +15,48 @@ use crate::puzzle::sampling::{gaussian, uniform_balls};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 
-/// Balls that the map itself places, before those from random walks.
+/// Balls placed by the map itself, before those from random walks.
 const STARTS: usize = 5;
 
-/// Rounds of improvement of each.
+/// Rounds of hill climbing per ball.
 const IMPROVEMENTS: usize = 5;
 
 /// Distance of a neighbour in x, y or radius in the first round, px; it halves from round to round.
 const INITIAL_STEP: f64 = 16.0;
 
-/// A ball may start on a cell whose value is above this fraction of the highest.
+/// A ball may start on a cell whose value is above this fraction of the maximum.
 const THRESHOLD: f32 = 0.5;
 
 /// Standard deviation of a step of a walk in x, y and radius, as fractions of the action space, at temperature 1. This
-/// and the next four constants are those of the authors' code.
+/// and the next four constants come from the authors' code.
 const STEP: [f64; 3] = [0.02, 0.01, 0.02];
 
-/// Shorter steps are drawn again.
+/// Shorter steps are redrawn.
 const MIN_STEP: f64 = 0.05;
 
-/// A walk ends where the action is this far from all before it.
+/// A walk ends where the action is this far from all earlier ones.
 const MIN_DISTANCE: f64 = 0.02;
 
-/// Growth of the temperature with each step, until it is the highest.
+/// Growth of the temperature with each step, up to its maximum.
 const WARMING: f64 = 1.04;
 const MAX_TEMPERATURE: f64 = 5.0;
 
-/// Draws for one of the starts before it is left out: the map may lie where no ball may be, or lead to the same ball
-/// again and again.
+/// Draws for one start before it is skipped: the map may be high only where no ball fits, or lead to the same ball
+/// every time.
 const MAX_START_DRAWS: usize = 200;
 
-/// Steps of a walk after which it may end near another proposal.
+/// Steps after which a walk may end near another proposal.
 const STEPS_APART: usize = 2_000;
 
 /// Draws for one proposal before the search ends, because the scene has no room for another ball.
 const MAX_PROPOSAL_DRAWS: usize = 100_000;
 
-/// The logit of the first proposal under a memory, and by how much the logits fall with the logarithm of the rank: the
-/// map gives no chances. It is roughly how often the n-th attempt at a new task solves it.
+/// The logit of the first proposal under a memory, and the slope by which the logits fall with the logarithm of the
+/// rank, because the map gives no chances. They match roughly how often the n-th attempt at a new task solves it.
 const FIRST_LOGIT: f64 = -0.3;
 const FALL: f64 = 0.75;
 
-/// Returns `attempts` valid, distinct balls, best guess first, or fewer if the scene has no room for as many. `map`
+/// Returns `attempts` valid, distinct balls, best guess first, or fewer if the scene has no room for that many. `map`
 /// holds 64 x 64 values in 0..=1, row 0 at the bottom. The same seed returns the same balls.
 pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<Proposal> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
@@ -105,12 +105,12 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     found
 }
 
-/// Returns the prior of a proposal under a memory, by its rank from 1.
+/// Returns the prior logit of a proposal under a memory, by its rank from 1.
 pub(super) fn logit_of_rank(rank: usize) -> f64 {
     FIRST_LOGIT - FALL * libm::log(rank as f64)
 }
 
-/// Returns an action a random step away from another.
+/// Returns an action that is one random step away from `from`.
 fn step(from: Action, temperature: f64, rng: &mut impl Rng) -> Action {
     loop {
         let [x, y, r] = STEP.map(|deviation| deviation * temperature * gaussian(rng));
@@ -121,7 +121,7 @@ fn step(from: Action, temperature: f64, rng: &mut impl Rng) -> Action {
     }
 }
 
-/// Whether an action is at least `MIN_DISTANCE` away from all others.
+/// Returns whether an action is at least `MIN_DISTANCE` away from all `others`.
 fn is_far(action: Action, others: &[Action]) -> bool {
     let squared = |value: f64| value * value;
     others.iter().all(|other| {
@@ -134,8 +134,8 @@ fn is_new(ball: Ball, found: &[Proposal]) -> bool {
     found.iter().all(|before| before.ball != ball)
 }
 
-/// A ball on one of the cells, of random radius, improved, and the centre of that cell, px; `None` if the ball is
-/// invalid or there is no cell.
+/// Places a ball of random radius on one of the cells and improves it. Returns the ball and the centre of the cell, px;
+/// `None` if the ball is invalid or there is no cell.
 fn improved_start(map: &[f32], obstacles: &Obstacles, cells: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
     let cell = *cells.get(rng.random_range(0..cells.len().max(1)))?;
     let [x, y] = cell_centre(cell);
@@ -160,8 +160,8 @@ fn improved_start(map: &[f32], obstacles: &Obstacles, cells: &[usize], rng: &mut
 const NEIGHBOURS: [(f64, f64, f64); 6] =
     [(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 1.0)];
 
-/// How well a ball fits the map: the sum of the map under it divided by the square root of its area. A larger ball fits
-/// better as long as the cells that it gains are more than half as high as the mean under it.
+/// Returns how well a ball fits the map: the sum of the map under it divided by the square root of its area. A larger
+/// ball fits better as long as the cells that it gains are more than half as high as the mean under it.
 fn fit(map: &[f32], ball: Ball) -> f32 {
     let image = ball_image(ball);
     let under: f32 = image.cells().map(|cell| map[cell]).sum();
@@ -201,7 +201,7 @@ mod tests {
     fn a_hundred_valid_balls_and_no_two_alike_whatever_the_map() {
         let scene = scene();
         let everywhere = vec![1.0; CELLS];
-        // A map that is certain of a place where the scene has a body.
+        // A map that is certain of a place occupied by a body.
         let body = &scene.bodies[scene.body1];
         let blocked = certain_of(Ball { x: body.x, y: body.y, r: 4.0 });
         for map in [vec![0.0; CELLS], everywhere, blocked, vec![f32::NAN; CELLS]] {
@@ -216,7 +216,7 @@ mod tests {
         }
     }
 
-    /// The scene with a wall over all of it but the cells left of `right` and below `top`, px.
+    /// The scene with a wall over everything except the cells left of `right` and below `top`, px.
     fn walled(right: f64, top: f64) -> Scene {
         let mut scene = scene();
         let wall = |left: f64, bottom: f64| Body {
@@ -237,7 +237,7 @@ mod tests {
         let scene = walled(12.0, 6.0);
         let full = walled(3.0, 3.0);
         let in_the_corner = certain_of(Ball { x: 6.0, y: 3.0, r: 2.0 });
-        // 9 x 3 places for a radius of 2 px and 7 for one of 3 px; luck decides how many of them are drawn.
+        // 9 x 3 places for a radius of 2 px and 7 for one of 3 px; chance decides how many of them are drawn.
         let found = proposals(&in_the_corner, &scene, 0, 100);
         assert!((1..=34).contains(&found.len()), "{}", found.len());
         assert!(found.iter().all(|proposal| proposal.ball.check(&scene).is_ok()));
@@ -254,7 +254,7 @@ mod tests {
         let actions: Vec<Action> =
             proposals(&certain_of(expected), &scene, 0, 100).iter().map(|found| found.ball.action()).collect();
         let distance = |a: Action, b: Action| libm::hypot(libm::hypot(a.x - b.x, a.y - b.y), a.r - b.r);
-        // Where a ball lies is rounded to whole px.
+        // Positions of balls are rounded to whole px.
         let rounding = 3.0 / SIZE;
         for (index, &action) in actions.iter().enumerate() {
             let is_near = |&other: &Action| distance(action, other) < MIN_DISTANCE - rounding;

@@ -1,9 +1,9 @@
-//! From the success net's maps to balls: greedy selection of the most probable ball with soft non-maximum suppression;
-//! and to one map that people can look at.
+//! Ranks balls by the success net's maps: greedy selection of the most probable ball with soft non-maximum suppression.
+//! Also reduces the maps to one that people can read.
 //!
-//! A ball that failed makes its neighbours less likely to solve, so each selected ball lowers the logits around it, by
-//! a Gaussian of the distance (soft-NMS, Bodla et al. 2017, on logits instead of scores). Does not call the simulator
-//! and draws nothing at random.
+//! A failed ball makes its neighbours less likely to solve, so each selected ball lowers the logits around it, by a
+//! Gaussian of the distance (soft-NMS, Bodla et al. 2017, on logits instead of scores). Does not call the simulator and
+//! draws nothing at random.
 
 use std::cmp::Ordering;
 
@@ -19,18 +19,18 @@ const SUPPRESSION: f64 = 2.0;
 /// Standard deviation of the Gaussian by which the suppression falls with the distance in x, y and r, px.
 const SUPPRESSION_SIGMA: f64 = 5.0;
 
-/// Distance in x, y and r from which there is no suppression, px: beyond four deviations it is below 0.001.
+/// Distance in x, y and r from which there is no suppression, px. Beyond four standard deviations it is below 0.001.
 const SUPPRESSION_REACH: usize = 20;
 
 /// Cells to each side of a selected ball that it may reach; rounding moves a ball by less than one px within its cell.
 const REACHED_CELLS: usize = (SUPPRESSION_REACH + 1) / PX_PER_CELL;
 
-/// Side of a block, cells.
+/// Side length of a block, cells.
 const BLOCK: usize = 8;
 const BLOCKS: usize = SIDE / BLOCK;
 
 /// Returns up to `attempts` valid, distinct balls, the most probable first. `logits` holds the success net's
-/// `[RADII, 64, 64]` maps; values that are not finite are left out.
+/// `[RADII, 64, 64]` maps; values that are not finite are omitted.
 pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let balls = FittingBalls::new(scene);
     let mut queue = Queue::new(logits, &balls);
@@ -43,8 +43,8 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     found.map(proposal).collect()
 }
 
-/// A ball and its logit. Of equal logits, as the two halves of a symmetric scene have them, the one with the higher
-/// index is greater.
+/// A ball and its logit. If logits are equal, as in the two halves of a symmetric scene, the ball with the higher index
+/// is greater.
 #[derive(Clone, Copy)]
 struct Ranked {
     logit: f64,
@@ -59,13 +59,13 @@ impl Ranked {
 
 /// The balls that have not been selected.
 struct Queue {
-    /// Negative infinity for what is no such ball.
+    /// The logits; negative infinity for invalid or selected balls.
     logits: Vec<f64>,
-    /// The greatest ball of each block of cells when its logits were last compared.
+    /// The greatest ball of each block of cells, as of the last comparison of its logits.
     greatest: [Ranked; BLOCKS * BLOCKS],
-    /// Blocks whose logits have fallen since.
+    /// Blocks whose logits have fallen since then.
     is_stale: [bool; BLOCKS * BLOCKS],
-    /// By the squared distance of two balls, px²: a whole number, because balls have whole coordinates and radii.
+    /// Suppression by the squared distance of two balls, px²: a whole number, because coordinates and radii are whole.
     suppression: [f64; SUPPRESSION_REACH * SUPPRESSION_REACH],
 }
 
@@ -73,7 +73,7 @@ impl Queue {
     fn new(logits: &[f32], balls: &FittingBalls) -> Queue {
         let logit = |(index, &logit): (usize, &f32)| {
             let is_queued = index / CELLS < balls.count(index % CELLS) && logit.is_finite();
-            // The sum has no negative zero.
+            // Adding 0.0 turns negative zero into zero.
             if is_queued { f64::from(logit) + 0.0 } else { f64::NEG_INFINITY }
         };
         Queue {
@@ -90,8 +90,8 @@ impl Queue {
     fn select(&mut self, balls: &FittingBalls) -> Option<Ranked> {
         loop {
             let block = (0..self.greatest.len()).max_by(|&a, &b| self.greatest[a].compare(&self.greatest[b]))?;
-            // Logits only fall, so a block that is not stale and still the greatest holds the greatest ball (lazy
-            // evaluation, as in Minoux's accelerated greedy algorithm).
+            // Logits only fall, so if the block with the greatest ball is not stale, that ball is the greatest of all
+            // (lazy evaluation, as in Minoux's accelerated greedy algorithm).
             if self.is_stale[block] {
                 self.greatest[block] = self.greatest_in(block);
                 self.is_stale[block] = false;
@@ -111,7 +111,7 @@ impl Queue {
         let corner = block / BLOCKS * BLOCK * SIDE + block % BLOCKS * BLOCK;
         let rows = (0..RADII).flat_map(|radius| (0..BLOCK).map(move |row| radius * CELLS + corner + row * SIDE));
         let row = |first: usize| &self.logits[first..first + BLOCK];
-        // Column by column, so that the columns can be compared at once.
+        // Column by column, so that the columns are compared in parallel.
         let mut greatest = [f64::NEG_INFINITY; BLOCK];
         for first in rows.clone() {
             for (greatest, &logit) in greatest.iter_mut().zip(row(first)) {
@@ -149,8 +149,8 @@ impl Queue {
     }
 }
 
-/// Returns for each of the 64 x 64 cells, row 0 at the bottom, the probability that the best valid ball there solves
-/// the scene, 0 where no ball is valid; `None` if no logit is finite.
+/// Returns, for each of the 64 x 64 cells, row 0 at the bottom, the probability that the best valid ball there solves
+/// the scene; 0 where no ball is valid. `None` if no logit is finite.
 pub fn probability_map(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
     let balls = FittingBalls::new(scene);
     let probability = |cell: usize| {

@@ -1,6 +1,6 @@
-//! The squared exponential covariance, of two points or of many points with one. Used by `online`.
+//! The squared exponential covariance of two points, or of many points with one. Used by `online`.
 
-/// A correlation of e to minus this, 2e-35, or less counts as 0: it would not change the last bit of a logit.
+/// A correlation of exp(-80), 2e-35, or less counts as 0: it would not change the last bit of a logit.
 const NEGLIGIBLE: f64 = 80.0;
 
 /// A squared exponential covariance.
@@ -12,10 +12,10 @@ pub struct SquaredExponential {
     pub length_scale: f64,
 }
 
-/// Points of equal dimension, coordinate by coordinate, so that several are compared at once.
+/// Points of equal dimension, stored coordinate by coordinate, so that several are compared in parallel.
 pub struct Points {
     count: usize,
-    /// For each coordinate those of all points.
+    /// For each coordinate, its value for every point.
     coordinates: Vec<Vec<f32>>,
 }
 
@@ -34,7 +34,7 @@ impl SquaredExponential {
         self.of_squares(squares.sum::<f64>(), a.len())
     }
 
-    /// Returns the covariances of points with another one.
+    /// Returns the covariance of each of the points with another.
     pub fn of_all(&self, points: &Points, point: &[f32]) -> Vec<f64> {
         let mut sums = vec![0.0; points.count];
         for (coordinates, at) in points.coordinates.iter().zip(point) {
@@ -49,7 +49,7 @@ impl SquaredExponential {
         sums
     }
 
-    /// The covariance of two points from the sum of the squared differences of their coordinates.
+    /// Returns the covariance of two points from the sum of the squared differences of their coordinates.
     #[inline(always)]
     fn of_squares(&self, sum: f64, dimensions: usize) -> f64 {
         let mean_square = sum / dimensions as f64;
@@ -57,16 +57,16 @@ impl SquaredExponential {
     }
 }
 
-/// e to a power of at most 0, to 1e-15 relatively; 0 where it is negligible. Unlike libm's, the compiler computes
-/// several at once. The same to the bit natively and in wasm.
+/// Returns e to a power of at most 0, with a relative error of 1e-15; 0 where the result is negligible. Unlike libm's,
+/// the compiler can vectorize it. The same to the bit natively and in wasm.
 #[inline(always)]
 fn exp_of_negative(x: f64) -> f64 {
     /// ln 2 in two parts, the first with few enough bits that its multiples are exact (Cody and Waite 1980).
     const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
-    /// Added to a small number, it rounds that to a whole one, and leaves it plus the bias of exponents in the lowest
+    /// Adding this to a small number rounds it to a whole one, and leaves that plus the exponent bias in the lowest
     /// bits.
     const ROUND: f64 = 6_755_399_441_055_744.0 + 1023.0;
-    /// 1 / n! from n = 12 down.
+    /// 1 / n! from n = 12 down to 0.
     const SERIES: [f64; 13] = [
         1.0 / 479_001_600.0,
         1.0 / 39_916_800.0,

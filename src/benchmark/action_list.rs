@@ -12,7 +12,7 @@ pub const ACTIONS: usize = 100_000;
 /// Seed of the list (PHYRE's `ACTION_SEED`).
 const SEED: usize = 42;
 
-/// Returns the list: uniform draws whose ball lies inside the scene, which may overlap bodies of a task. Each number is
+/// Returns the list: uniform draws whose ball lies inside the scene but may overlap bodies of a task. Each number is
 /// rounded to f32, as in PHYRE's file.
 ///
 /// ```
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
     use crate::puzzle::hex::hex;
 
-    /// The digest was printed by NumPy 2.4.6:
+    /// The digest printed by NumPy 2.4.6:
     ///
     /// ```python
     /// rng, actions = np.random.RandomState(42), []

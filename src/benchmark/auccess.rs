@@ -1,5 +1,5 @@
-//! AUCCESS, PHYRE's metric: the area under the success curve, a weighted mean over numbers of attempts of the fraction
-//! of tasks that an agent solves within them.
+//! AUCCESS, PHYRE's metric: the area under the success curve. It is a weighted mean, over numbers of attempts, of the
+//! fraction of tasks that an agent solves within them.
 //!
 //! auccess = sum_k w_k s_k / sum_k w_k, w_k = ln(k + 1) - ln(k), k = 1..=K, where s_k is the fraction of tasks
 //! solved within k attempts (Bakhtin et al. 2019). Printed in percent.

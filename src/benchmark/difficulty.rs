@@ -1,7 +1,7 @@
-//! How hard the benchmark's tasks are: of uniform valid balls, how many solve each.
+//! The difficulty of the benchmark's tasks: how many uniform valid balls solve each.
 //!
-//! The counts are measured by `pathlight-lab data difficulty` and shipped in difficulty.json. Used by the page, which
-//! tells players how hard a puzzle is, and wherever a scene is ranked among the benchmark's tasks.
+//! `pathlight-lab data difficulty` measures the counts, which ship in difficulty.json. Used by the page, which shows
+//! players how hard a puzzle is, and wherever a scene is ranked among the benchmark's tasks.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,13 +11,14 @@ use crate::puzzle::templates::TEMPLATES;
 /// How many of `balls` uniform valid balls solved each task.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Difficulty {
-    /// Version of the simulator that they were tried in.
+    /// Version of the simulator used.
     pub simulator: u32,
     /// Seed of the balls.
     pub seed: u64,
-    /// Valid balls that were tried per task.
+    /// Valid balls tried per task.
     pub balls: u32,
-    /// For each template, in the order of `TEMPLATES`, and each of its tasks, ascending: how many solved it.
+    /// The number of balls that solved each task: for each template, in the order of `TEMPLATES`, its tasks in
+    /// ascending order.
     pub solved: Vec<Vec<u32>>,
 }
 
@@ -35,14 +36,14 @@ impl Difficulty {
         Some(f64::from(*solved) / f64::from(self.balls))
     }
 
-    /// Returns the shares of valid balls that solve the tasks, 0..=1: those of the first template, ascending, then the
-    /// next.
+    /// Returns the shares of valid balls that solve the tasks, 0..=1: the tasks of the first template, ascending, then
+    /// those of the next.
     pub fn solve_rates(&self) -> impl Iterator<Item = f64> + '_ {
         self.solved.iter().flatten().map(|&solved| f64::from(solved) / f64::from(self.balls))
     }
 
-    /// Returns the share of the benchmark's tasks that are harder than a solve rate of 0..=1, tasks of the same rate
-    /// counted half: 0 (the hardest) to 1 (the easiest).
+    /// Returns the share of the benchmark's tasks that are harder than a solve rate of 0..=1, with tasks of the same
+    /// rate counted half: 0 (the hardest) to 1 (the easiest).
     pub fn rank(&self, solve_rate: f64) -> f64 {
         let rates = || self.solve_rates();
         let (lower, higher) = (rates().filter(|&rate| rate < solve_rate), rates().filter(|&rate| rate > solve_rate));

@@ -1,8 +1,8 @@
-//! PHYRE's ten folds in two setups: which tasks an agent is trained on and which it is tested on.
+//! PHYRE's ten folds in two setups, which divide the tasks into training and test tasks.
 //!
-//! `within`: four fifths of the tasks of each template are for training, one fifth for testing. `cross`: four fifths of
-//! the templates are for training, one fifth for testing. One fifth of the training part is the dev part. All parts
-//! are cut from lists in PHYRE's `stable_shuffle`, with PHYRE's salts.
+//! `within` trains on four fifths of the tasks of each template and tests on the remaining fifth. `cross` trains on
+//! four fifths of the templates and tests on the remaining fifth. One fifth of the training part is the dev part. All
+//! parts are cut from lists shuffled by PHYRE's `stable_shuffle`, with PHYRE's salts.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ use crate::puzzle::templates::TEMPLATES;
 /// Number of folds in each setup.
 pub const FOLDS: u8 = 10;
 
-/// What an agent has to generalise to (PHYRE's evaluation setups).
+/// What an agent must generalise to (PHYRE's evaluation setups).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Setup {
@@ -35,10 +35,10 @@ impl fmt::Display for Setup {
     }
 }
 
-/// Which fold of which setup.
+/// A fold, identified by its setup and number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FoldId {
-    /// What the fold generalises to.
+    /// What an agent must generalise to.
     pub setup: Setup,
     /// `0..FOLDS`
     pub fold: u8,
@@ -50,7 +50,7 @@ impl FoldId {
         [Setup::Within, Setup::Cross].into_iter().flat_map(|setup| (0..FOLDS).map(move |fold| FoldId { setup, fold }))
     }
 
-    /// Returns its tasks.
+    /// Returns the tasks of the fold.
     ///
     /// ```
     /// use pathlight::benchmark::folds::{FoldId, Setup};
@@ -63,7 +63,7 @@ impl FoldId {
     }
 }
 
-/// As files are named: `within-0`.
+/// Formats the fold as in file names: `within-0`.
 impl fmt::Display for FoldId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}-{}", self.setup, self.fold)
@@ -74,16 +74,16 @@ impl fmt::Display for FoldId {
 /// `dev`, never on `test`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fold {
-    /// To train on.
+    /// Tasks to train on.
     pub train: Vec<TaskId>,
-    /// To choose settings on.
+    /// Tasks to choose settings on.
     pub dev: Vec<TaskId>,
-    /// To measure on, once.
+    /// Tasks to measure on, once.
     pub test: Vec<TaskId>,
 }
 
 impl Fold {
-    /// The fold of this setup and number, `0..FOLDS`.
+    /// Returns the fold of this setup and number, `0..FOLDS`.
     pub fn new(setup: Setup, fold: u8) -> Fold {
         match setup {
             Setup::Within => within(fold),
@@ -123,12 +123,12 @@ fn cross(fold: u8) -> Fold {
     Fold { train: tasks(train), dev: tasks(dev), test: tasks(test) }
 }
 
-/// PHYRE's training share of a list: of 100 tasks, 25 templates, 20 templates, 2,000 tasks.
+/// Returns PHYRE's training share of a list of 100 tasks, 25 templates, 20 templates or 2,000 tasks.
 fn four_fifths(count: usize) -> usize {
     count * 4 / 5
 }
 
-/// A template's number in the text that PHYRE hashes: five digits.
+/// A template's number as PHYRE hashes it: five digits.
 #[derive(Clone, Copy)]
 struct TemplateNumber(usize);
 

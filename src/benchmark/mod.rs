@@ -1,5 +1,5 @@
-//! PHYRE's benchmark: which tasks train and test an agent (`folds`), how it is scored (`auccess`), how hard the tasks
-//! are (`difficulty`), the actions that its baselines choose from (`action_list`), and what its simulator returns
+//! PHYRE's benchmark: its training and test tasks (`folds`), its score (`auccess`), the difficulty of its tasks
+//! (`difficulty`), the actions that its baselines choose from (`action_list`), and the output of its simulator
 //! (`observation`).
 
 pub mod action_list;

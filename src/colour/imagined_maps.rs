@@ -1,5 +1,5 @@
-//! The maps that the nets imagine: how each is called and drawn. The one list of them; JavaScript reads it from
-//! `constants`.
+//! The maps that the nets imagine, with their names and colours. This is the only list of them; JavaScript reads it
+//! from `constants`.
 
 use std::str::FromStr;
 
@@ -21,11 +21,11 @@ pub enum ImaginedMap {
 }
 
 impl ImaginedMap {
-    /// In the order in which the nets make them.
+    /// All maps, in the order in which the nets compute them.
     pub const ALL: [ImaginedMap; 5] =
         [ImaginedMap::Base, ImaginedMap::Target, ImaginedMap::Action, ImaginedMap::Placement, ImaginedMap::Success];
 
-    /// Returns its name in links and JSON.
+    /// Returns the map's name in links and JSON.
     pub fn name(self) -> &'static str {
         match self {
             ImaginedMap::Base => "base",
@@ -46,11 +46,11 @@ impl ImaginedMap {
         }
     }
 
-    /// Returns red, green, blue and opacity (0..=255) of a value in 0..=1; higher values contrast more with the
+    /// Returns red, green, blue and opacity (0..=255) of a value in 0..=1. Higher values contrast more with the
     /// background.
     pub fn colour(self, value: f32, dark: bool) -> [u8; 4] {
         let value = f64::from(value.clamp(0.0, 1.0));
-        // The ends of a scale are near white and near black; one of them is invisible on either background.
+        // The ends of a scale are near white and near black, so one of them is invisible on either background.
         let position = if dark { 0.78 - 0.42 * value } else { 0.3 + 0.6 * value };
         let colorous::Color { r, g, b } = self.gradient().eval_continuous(position);
         [r, g, b, (235.0 * libm::sqrt(value)) as u8]
@@ -63,6 +63,6 @@ impl FromStr for ImaginedMap {
     fn from_str(name: &str) -> Result<ImaginedMap, String> {
         let found = ImaginedMap::ALL.into_iter().find(|map| map.name() == name);
         let names = ImaginedMap::ALL.map(ImaginedMap::name).join(", ");
-        found.ok_or_else(|| format!("there is no map `{name}`: the maps are {names}"))
+        found.ok_or_else(|| format!("unknown map `{name}`: the maps are {names}"))
     }
 }

@@ -1,7 +1,7 @@
-//! The colours of scenes and of maps, the same on the page and in the figures.
+//! The colours of scenes and of maps, shared by the page and the figures.
 //!
-//! `palette` has those of the roles and of the paper, `imagined_maps` those of the maps, `outcomes` those of the map of
-//! all solutions. Used by `nets`, `web` and the figures of the lab.
+//! `palette` holds the colours of the roles and of the background, `imagined_maps` those of the maps, `outcomes` those
+//! of the map of all solutions. Used by `nets`, `web` and the lab's figures.
 
 pub mod imagined_maps;
 pub mod outcomes;

@@ -1,8 +1,8 @@
 //! The colours and patterns of the map of all solutions.
 
-/// Returns the colour, RGBA, of a pixel of an outcome (`search::solve_map`); `x` and `y` in 0..8 are its place in a
-/// pattern of two by two cells. Solved is filled and dotted, invalid has diagonal lines, not solved has a few dots, and
-/// untried is transparent.
+/// Returns the colour, RGBA, of a pixel of an outcome (`search::solve_map`). `x` and `y` in 0..8 are the pixel's
+/// position in a pattern of two by two cells. Solved is filled and dotted, invalid has diagonal lines, not solved has a
+/// few dots, and untried is transparent.
 pub fn outcome_colour(outcome: u8, x: usize, y: usize, dark: bool) -> [u8; 4] {
     const SOLVED: [u8; 4] = [240, 188, 66, 255];
     let gray = if dark { 225 } else { 70 };

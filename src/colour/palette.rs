@@ -1,7 +1,7 @@
-//! The colours of the roles and of the background, light and dark. The page has them from `web::constants`.
+//! The colours of the roles and of the background, light and dark. The page reads them from `web::constants`.
 //!
-//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, a purple, and a strong red. The dark
-//! palette has lighter tones of the same hues.
+//! Colour-blind people can distinguish the hues: those of Okabe and Ito, a purple, and a strong red. The dark palette
+//! has lighter tones of the same hues.
 
 use serde::Serialize;
 
@@ -22,15 +22,15 @@ pub struct Palette {
     pub gray: &'static str,
     /// Other static bodies.
     pub black: &'static str,
-    /// The rim of black bodies, which stand out from dark paper by it.
+    /// The rim that makes black bodies stand out from a dark background.
     pub rim: &'static str,
     /// The red ball.
     pub red: &'static str,
-    /// The ring that fills while the object touches its goal.
+    /// The ring that fills while the green object touches its goal.
     pub ring: &'static str,
-    /// Lines that must be visible on paper and on bodies.
+    /// Lines that must be visible on the background and on bodies.
     pub ink: &'static str,
-    /// What marks the model's ball and paths as its own.
+    /// Marks the model's ball and paths.
     pub model: &'static str,
 }
 
@@ -62,7 +62,7 @@ const DARK: Palette = Palette {
     model: "#8b84ff",
 };
 
-/// Returns the colours for light or dark paper.
+/// Returns the colours for a light or a dark background.
 pub fn palette(dark: bool) -> &'static Palette {
     if dark { &DARK } else { &LIGHT }
 }

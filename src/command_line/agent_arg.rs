@@ -1,4 +1,4 @@
-//! The names of the agents on the command line; the lab's binary takes them too.
+//! Parses agent names on the command line; used by the lab's binary too.
 
 use crate::agents::agent_name::AgentName;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};

@@ -1,4 +1,4 @@
-//! The argument that names the engine; the lab's binary takes it too.
+//! The argument that selects the engine; used by the lab's binary too.
 
 use crate::simulator::Engine;
 

@@ -1,11 +1,11 @@
-//! How a command ends, in the lab's binary too.
+//! How a command ends; used by the lab's binary too.
 
 use std::io;
 use std::process::ExitCode;
 
 use super::progress::say;
 
-/// Returns the exit code of a command, and prints its error.
+/// Prints the error of a command, if any, and returns its exit code.
 pub fn code(result: anyhow::Result<ExitCode>) -> ExitCode {
     match result {
         Ok(code) => code,
@@ -17,7 +17,7 @@ pub fn code(result: anyhow::Result<ExitCode>) -> ExitCode {
     }
 }
 
-/// Whether whoever read the output has stopped reading.
+/// Returns whether the reader of the output has stopped reading.
 pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
     let kind = |cause: &(dyn std::error::Error + 'static)| match cause.downcast_ref::<serde_json::Error>() {
         Some(error) => error.io_error_kind(),

@@ -1,13 +1,13 @@
-//! The arguments that name a fold of a setup; the lab's binary takes them too.
+//! The arguments that select a fold of a setup; used by the lab's binary too.
 
 use crate::benchmark::folds::{FOLDS, FoldId, Setup};
 use clap::ValueEnum;
 use clap::builder::{EnumValueParser, TypedValueParser};
 
-/// A fold of the benchmark; part of the arguments of other commands.
+/// A fold of the benchmark, to include in a command's arguments.
 #[derive(Clone, Copy, clap::Args)]
 pub struct FoldArgs {
-    /// What the model has to generalise to
+    /// What the model must generalise to
     #[arg(long, value_parser = setup(), default_value = "within")]
     setup: Setup,
 
@@ -22,7 +22,7 @@ impl From<FoldArgs> for FoldId {
     }
 }
 
-/// The names of the setups on the command line; the library does not know clap.
+/// The names of the setups on the command line. The library does not depend on clap.
 #[derive(Clone, Copy, ValueEnum)]
 enum SetupName {
     /// New tasks of known templates

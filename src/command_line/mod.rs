@@ -1,5 +1,5 @@
-//! What the command lines of the player and of the lab share: arguments, exit codes, progress, and files that are
-//! written completely or not at all. For these two programs alone: it may change at any time.
+//! Parts shared by the command lines of the player and of the lab: arguments, exit codes, progress, and files that are
+//! written completely or not at all. Intended for these two programs only; it may change at any time.
 
 #[cfg(feature = "nets")]
 pub mod agent_arg;

@@ -1,18 +1,18 @@
-//! The progress of a long command on standard error: a bar on a terminal, else a line now and then.
+//! Progress of a long command on standard error: a bar on a terminal, otherwise a line from time to time.
 //!
-//! The lab's binary uses it too. Never touches standard output. A closed standard error does not stop the work.
+//! The lab's binary uses it too. Never writes to standard output. A closed standard error does not stop the work.
 
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Time between two lines where there is no terminal.
+/// Time between two lines when standard error is not a terminal.
 const PAUSE: Duration = Duration::from_secs(10);
 
 /// Prints a line on standard error.
 pub fn say(line: &str) {
-    // `eprintln!` panics if nobody reads any more.
+    // `eprintln!` panics if the reader is gone.
     let _ = writeln!(io::stderr(), "{line}");
 }
 
@@ -22,7 +22,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// `total` is in the unit of `advance`; `None` if it is unknown.
+    /// `total` is in the unit of `advance`; `None` if unknown.
     pub fn new(total: Option<u64>) -> Progress {
         let bar = match total {
             Some(total) => ProgressBar::new(total).with_style(style("{bar:40} {percent:>3} %  {msg}  {eta} left")),
@@ -31,7 +31,7 @@ impl Progress {
         Progress { bar, last_line: Instant::now() }
     }
 
-    /// Adds units of work done; `so_far` describes the progress: "1200 rollouts".
+    /// Adds units of completed work; `so_far` describes the progress: "1200 rollouts".
     pub fn advance(&mut self, units: u64, so_far: String) {
         self.bar.inc(units);
         if !self.bar.is_hidden() {
@@ -50,7 +50,7 @@ impl Progress {
         self.bar.suspend(|| say(line));
     }
 
-    /// Removes the bar and prints one line: the result, and how long it took.
+    /// Removes the bar and prints one line: the result and the elapsed time.
     pub fn finish(self, result: &str) {
         self.bar.finish_and_clear();
         say(&format!("{result} in {:.1} s", self.bar.elapsed().as_secs_f64()));

@@ -1,4 +1,4 @@
-//! Files that are written completely or not at all, in the lab too.
+//! Files that are written completely or not at all; used by the lab too.
 
 use std::fs;
 use std::io::{self, Write};
@@ -7,20 +7,23 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use tempfile::{Builder, NamedTempFile};
 
-/// Writes a file, and its folder if that is missing. Links stay, also one that leads to no file yet. A file that is
-/// there already stays as it is until the new one is complete and on disk. A device or a pipe is written to.
+/// Writes a file, and creates its folder if necessary. Symbolic links are followed and kept, even if they lead to no
+/// file yet. An existing file stays as it is until the new one is complete and on disk. A device or a pipe is written
+/// to directly.
 ///
 /// # Errors
-/// If it cannot be written; then the file has not changed.
+///
+/// If the file cannot be written. It is then unchanged.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     let written = if is_special(path) { fs::write(path, bytes) } else { replace(path, bytes) };
     written.with_context(|| cannot_write(path))
 }
 
-/// Checks that a file can be written, before the work whose result it is to hold. Makes its folder if that is missing.
+/// Checks that a file can be written, before the work that produces its content. Creates its folder if necessary.
 ///
 /// # Errors
-/// If it cannot be written.
+///
+/// If the file cannot be written.
 pub fn check_replaceable(path: &Path) -> anyhow::Result<()> {
     let checked = match path.is_dir() {
         true => Err(io::ErrorKind::IsADirectory.into()),
@@ -30,36 +33,37 @@ pub fn check_replaceable(path: &Path) -> anyhow::Result<()> {
     checked.with_context(|| cannot_write(path))
 }
 
-/// Returns the file that a path leads to, whether it is there or not.
+/// Returns the file that a path leads to, whether or not it exists.
 ///
 /// # Errors
-/// If links lead in a circle.
+///
+/// If symbolic links form a loop.
 pub fn without_links(path: &Path) -> io::Result<PathBuf> {
-    /// As many as Linux follows.
+    /// The number of links that Linux follows.
     const LINKS: usize = 40;
     let mut target = path.to_path_buf();
     for _ in 0..LINKS {
         let Ok(next) = fs::read_link(&target) else { return Ok(fs::canonicalize(&target).unwrap_or(target)) };
         target = target.parent().unwrap_or(Path::new("")).join(next);
     }
-    Err(io::Error::other("its links lead in a circle"))
+    Err(io::Error::other("its symbolic links form a loop"))
 }
 
 fn cannot_write(path: &Path) -> String {
-    format!("cannot write {}: name a file in a folder that you may write to", path.display())
+    format!("cannot write {}: name a file in a writable folder", path.display())
 }
 
-/// Whether this is a device or a pipe.
+/// Returns whether the path is a device or a pipe.
 fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
-/// Makes a file beside another.
+/// Creates a temporary file next to another file.
 fn temporary_file(path: &Path) -> io::Result<NamedTempFile> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(folder)?;
     let mut builder = Builder::new();
-    // As other programs create files; a temporary file is its owner's alone otherwise.
+    // The permissions with which programs usually create files. A temporary file is otherwise private to its owner.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder.prefix(".part-").tempfile_in(folder)

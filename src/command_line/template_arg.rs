@@ -1,4 +1,4 @@
-//! The numbers of templates on the command line; the lab's binary takes them too.
+//! Parses template numbers on the command line; used by the lab's binary too.
 
 use crate::puzzle::task::TaskError;
 use crate::puzzle::templates::{TEMPLATES, Template};

@@ -1,4 +1,4 @@
-//! What a command reads: a file, or standard input.
+//! Input of a command: a file, or standard input.
 
 use std::fs::File;
 use std::io::{self, Read};

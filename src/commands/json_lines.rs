@@ -1,7 +1,7 @@
-//! JSON lines in and JSON lines out: the protocol that `simulate --batch`, `verify` and `agent` share.
+//! JSON lines in and JSON lines out: the protocol of `simulate --batch`, `verify` and `agent`.
 //!
-//! Each line that is not blank gets exactly one answer, in order. An answer has the number of its line; a line that
-//! cannot be used is answered with `{"line":N,"error":"…"}`. So a client that writes a line and waits for its answer
+//! Each line that is not blank gets exactly one answer, in order. An answer has the number of its line. The answer to a
+//! line that cannot be used is `{"line":N,"error":"…"}`. A client that writes a line and waits for the answer therefore
 //! always gets one.
 
 use std::io::{self, BufRead, BufReader, Read};
@@ -11,17 +11,17 @@ use pathlight::puzzle::utf8::{NotUtf8, utf8};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// Bytes read at once: some hundred lines, so that a batch keeps all cores busy.
+/// Bytes to read at once: some hundred lines, so that a batch keeps all cores busy.
 const BUFFER: usize = 1 << 20;
 
-/// Longest line that plays a ball, bytes. The largest scene needs some 10,000, a task about 50; other keys may take the
-/// rest.
+/// Longest line that plays a ball, bytes. The largest scene needs about 10,000, a task about 50; the rest is for other
+/// keys.
 pub const MAX_LINE: usize = 1 << 16;
 
 /// A line, and its number from 1.
 pub struct Line {
     pub number: usize,
-    /// What it says, or why it cannot be used.
+    /// The text, or the reason why the line cannot be used.
     pub text: anyhow::Result<String>,
 }
 
@@ -31,7 +31,7 @@ impl Line {
     }
 }
 
-/// The lines of a source. A line that is too long is skipped without being kept, so memory stays bounded.
+/// The lines of a source. A line that is too long is skipped without being stored, so memory stays bounded.
 pub struct Lines<R> {
     source: BufReader<R>,
     /// Maximum number of bytes in a line.
@@ -45,7 +45,7 @@ impl<R: Read> Lines<R> {
         Lines { source: BufReader::with_capacity(BUFFER, source), longest, count: 0 }
     }
 
-    /// Whether another line has arrived already, so that reading it does not wait.
+    /// Returns whether the next line has already arrived, so that reading it does not block.
     pub fn has_arrived(&self) -> bool {
         self.source.buffer().contains(&b'\n')
     }
@@ -66,7 +66,7 @@ impl<R: Read> Iterator for Lines<R> {
                 .skip_until(b'\n')
                 .map(|_| Err(anyhow!("the line is longer than {} bytes: write one request per line", self.longest))),
             Ok(_) => match utf8(&bytes) {
-                // None of its lines would be one.
+                // If the source is UTF-16, no line can be read.
                 Err(why @ NotUtf8::Utf16) if self.count == 1 => Err(io::Error::new(io::ErrorKind::InvalidData, why)),
                 text => Ok(text.map(str::to_string).map_err(anyhow::Error::from)),
             },
@@ -76,10 +76,11 @@ impl<R: Read> Iterator for Lines<R> {
     }
 }
 
-/// Reads a line as JSON.
+/// Parses a line as JSON.
 ///
 /// # Errors
-/// Says what is wrong with it, and then the remedy.
+///
+/// If the line does not parse; the error names the fault and then the remedy.
 pub fn parse<T: DeserializeOwned>(line: &str, remedy: &str) -> anyhow::Result<T> {
     serde_json::from_str(line).map_err(|error| {
         // The parser sees a single line and calls it line 1.

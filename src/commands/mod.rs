@@ -1,9 +1,9 @@
 //! The command line, one module per command; used by `main` only.
 //!
-//! A command is an `Args` with a `run`. Its results go to standard output, its progress and messages to standard
-//! error. Bad input is an error: one sentence after `error:`, exit code 2. If the reader of standard output closes
-//! it (`pathlight tasks | head`), the command ends quietly with success; so commands write with `writeln!`, because
-//! `println!` panics then.
+//! A command is an `Args` with a `run`. Results go to standard output, progress and messages to standard error. Bad
+//! input is an error: one sentence after `error:`, exit code 2. If the reader closes standard output
+//! (`pathlight tasks | head`), the command ends quietly with success. Commands therefore write with `writeln!`, because
+//! `println!` would panic.
 
 use std::process::ExitCode;
 
@@ -52,7 +52,7 @@ impl Command {
     }
 }
 
-/// Runs the command that the process was started with.
+/// Runs the command given by the process's arguments.
 pub fn run() -> ExitCode {
     exit::code(CommandLine::parse().command.run())
 }

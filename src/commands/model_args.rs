@@ -9,7 +9,7 @@ use pathlight::nets::{Dqn, PathNet};
 use pathlight::puzzle::hex::hex;
 use sha2::{Digest, Sha256};
 
-/// A file of weights; part of the arguments of other commands.
+/// A model's weights file, to include in a command's arguments.
 #[derive(clap::Args)]
 pub struct ModelArgs {
     /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
@@ -18,18 +18,21 @@ pub struct ModelArgs {
 }
 
 impl ModelArgs {
-    /// Returns the nets of a fold.
+    /// Loads the nets of a fold.
     ///
     /// # Errors
-    /// If the file cannot be read, or its nets were trained on another fold and so may know this fold's test tasks.
+    ///
+    /// If the file cannot be read, or its nets were trained on another fold and may therefore have seen this fold's
+    /// test tasks.
     pub fn load(&self, fold: FoldId) -> anyhow::Result<PathNet> {
         Ok(self.load_with_digest(fold)?.0)
     }
 
-    /// Returns the nets of a fold, and the SHA-256 of their file in hexadecimal.
+    /// Loads the nets of a fold. Also returns the SHA-256 of their file in hexadecimal.
     ///
     /// # Errors
-    /// As those of `load`.
+    ///
+    /// The same as those of `load`.
     pub fn load_with_digest(&self, fold: FoldId) -> anyhow::Result<(PathNet, String)> {
         let default = || path::absolute(format!("assets/{fold}.safetensors"));
         let path = self.weights.clone().map_or_else(default, Ok)?;
@@ -46,7 +49,7 @@ impl ModelArgs {
     }
 }
 
-/// A file of DQN's weights; part of the arguments of other commands.
+/// DQN's weights file, to include in a command's arguments.
 #[derive(clap::Args)]
 pub struct DqnArgs {
     /// Weights of DQN, the benchmark's baseline [default for --agent dqn:
@@ -56,10 +59,11 @@ pub struct DqnArgs {
 }
 
 impl DqnArgs {
-    /// Returns the net of a fold.
+    /// Loads the net of a fold.
     ///
     /// # Errors
-    /// As those of `ModelArgs::load`.
+    ///
+    /// The same as those of `ModelArgs::load`.
     pub fn load(&self, fold: FoldId) -> anyhow::Result<Dqn> {
         let path = self.dqn.clone().unwrap_or_else(|| format!("target/train/{fold}/dqn/weights.safetensors").into());
         let name = path.display();

@@ -1,5 +1,5 @@
-//! `pathlight propose`: the model's proposals for a fold's test tasks, as JSON lines, without any simulation, so that
-//! they can be evaluated elsewhere, for example on PHYRE's own engine.
+//! `pathlight propose`: the model's proposals for a fold's test tasks, as JSON lines. Nothing is simulated, so that the
+//! proposals can be evaluated elsewhere, for example on PHYRE's own engine.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -28,7 +28,7 @@ pub struct Args {
     #[arg(long = "task", value_name = "TASK")]
     tasks: Vec<TaskId>,
 
-    /// Propose for the custom scene of this file ("-" is standard input) instead, JSON as `tasks --schema` describes it
+    /// Propose for the custom scene in this file instead ("-" is standard input), JSON as described by `tasks --schema`
     #[arg(long, value_name = "FILE", conflicts_with = "tasks")]
     scene: Option<PathBuf>,
 
@@ -48,7 +48,7 @@ pub struct Args {
     model: ModelArgs,
 }
 
-/// A line: the valid balls of a task, px, best first.
+/// A line of output: the valid balls of a task, px, best first.
 #[derive(Serialize)]
 struct TaskProposals {
     /// Absent for a custom scene.
@@ -73,7 +73,7 @@ impl Args {
         } else {
             self.tasks
         };
-        // A file is written when all lines are there; standard output line by line.
+        // A file is written once all lines are complete, standard output line by line.
         let (mut stdout, mut file) = (io::stdout().lock(), Vec::new());
         let out: &mut dyn Write = if to_stdout { &mut stdout } else { &mut file };
         let proposals = |Puzzle { id, scene, .. }: Puzzle| {

@@ -1,4 +1,4 @@
-//! `pathlight tasks`: lists the templates, the tasks of one or those of a fold, or prints scenes as JSON.
+//! `pathlight tasks`: lists the templates or the tasks of a template or a fold, or prints scenes as JSON.
 //!
 //! The JSON of a task is that of `pathlight::puzzle::task::Task`.
 
@@ -29,7 +29,7 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = fold_args::fold, conflicts_with = "template")]
     fold: Option<u8>,
 
-    /// Setup of the fold: what an agent has to generalise to
+    /// Setup of the fold: what an agent must generalise to
     #[arg(long, value_parser = fold_args::setup(), default_value = "within", requires = "fold")]
     setup: Setup,
 
@@ -37,12 +37,12 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Part::Test, requires = "fold")]
     part: Part,
 
-    /// Print scenes as JSON, one per line: that of this task, like 00007:008; without a task those of the template or
-    /// the fold, or of all tasks
+    /// Print scenes as JSON, one per line: the scene of this task, like 00007:008; without a task, the scenes of the
+    /// template or the fold, or of all tasks
     #[arg(long, value_name = "TASK", num_args = 0..=1)]
     json: Option<Option<TaskId>>,
 
-    /// Print the custom scene of this file ("-" is standard input) as JSON, as it is simulated
+    /// Print the custom scene in this file ("-" is standard input) as JSON, as it is simulated
     #[arg(long, value_name = "FILE", conflicts_with_all = ["template", "fold", "json"])]
     scene: Option<PathBuf>,
 
@@ -87,7 +87,7 @@ impl Args {
     fn print_tasks(&self, out: &mut impl Write) -> anyhow::Result<()> {
         match (self.json, self.template, self.fold) {
             (Some(Some(id)), None, None) => print_json(out, &Task::load(id)?)?,
-            (Some(Some(_)), ..) => anyhow::bail!("--json names a single task: leave --template and --fold out"),
+            (Some(Some(_)), ..) => anyhow::bail!("--json names a single task: omit --template and --fold"),
             (Some(None), _, Some(fold)) => {
                 for id in self.part_of(fold) {
                     print_json(out, &Task::load(id)?)?;

@@ -1,4 +1,4 @@
-//! `pathlight verify`: simulates the attempts of a file again, and says for each whether it is the same to the bit.
+//! `pathlight verify`: simulates the attempts in a file again, and reports for each whether it is the same to the bit.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -13,15 +13,16 @@ use rayon::prelude::*;
 use super::input;
 use super::json_lines::{Line, Lines, MAX_LINE, Numbered, parse};
 
-/// Simulate the attempts of a file again, and say for each whether it is the same to the bit, differs or is not valid
+/// Simulate the attempts in a file again, and report for each whether it is the same to the bit, differs or is not
+/// valid
 ///
-/// Each line is an attempt as the page exports it and `simulate --verifiable` writes it: {"task" or "scene", "ball",
+/// Each line is an attempt as exported by the page or written by `simulate --verifiable`: {"task" or "scene", "ball",
 /// "simulator", "status", "steps", "digest"}. The digest is a hash, in lowercase hexadecimal, of every pose of every
 /// body after each step.
 ///
 /// Prints {"line", "verdict", "reason"} for each line that is not blank. The verdict is "same" if all poses are the
 /// same to the bit, "other_outcome" if status, steps or poses differ, or "not_valid" if the line cannot be simulated.
-/// The exit code is 0 if all are the same, 2 if some are not valid, and 1 otherwise.
+/// The exit code is 0 if all attempts are the same, 2 if some are not valid, and 1 otherwise.
 #[derive(clap::Args)]
 pub struct Args {
     /// Attempts as JSON lines; "-" is standard input
@@ -36,14 +37,14 @@ impl Args {
             .collect::<io::Result<_>>()
             .with_context(|| format!("cannot read {name}"))?;
         let attempts: Vec<Line> = lines.into_iter().filter(|line| !line.is_blank()).collect();
-        anyhow::ensure!(!attempts.is_empty(), "{name} holds no attempts: export some on the page");
+        anyhow::ensure!(!attempts.is_empty(), "{name} contains no attempts: export some on the page");
         let verdicts: Vec<(usize, Verdict)> =
             attempts.into_par_iter().map(|line| (line.number, verdict(line.text))).collect();
         let count = |matches: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| matches(verdict)).count();
         let same = count(|verdict| matches!(verdict, Verdict::Same));
         let other = count(|verdict| matches!(verdict, Verdict::OtherOutcome { .. }));
         let not_valid = count(|verdict| matches!(verdict, Verdict::NotValid { .. }));
-        // A reader that needs no more lines, like `head`, still gets the code of all.
+        // If a reader like `head` stops early, the exit code is still that of all attempts.
         print(&verdicts).or_else(|error| if is_broken_pipe(&error) { Ok(()) } else { Err(error) })?;
         say(&format!("{same} the same to the bit, {other} with another outcome, {not_valid} not valid"));
         Ok(ExitCode::from(if not_valid > 0 { 2 } else { u8::from(other > 0) }))

@@ -12,7 +12,7 @@ pub struct BallBatch {
     count: usize,
     /// The scene of each ball.
     scenes: Vec<i64>,
-    /// For each level and ball the rows of its corners in the flattened level, and their weights.
+    /// For each level and ball, the rows of its corners in the flattened level, and their weights.
     rows: [Vec<i64>; LEVELS.len()],
     weights: [Vec<f32>; LEVELS.len()],
     numbers: Vec<f32>,
@@ -21,7 +21,7 @@ pub struct BallBatch {
 }
 
 impl BallBatch {
-    /// Adds a ball of the scene with this number in the batch.
+    /// Adds a ball of the scene with this index in the batch.
     pub fn add(&mut self, scene: usize, ball: Ball, starts: Starts) {
         self.count += 1;
         self.scenes.push(scene as i64);
@@ -61,7 +61,7 @@ impl BallBatch {
 
 /// The inputs of the perceptron for these balls.
 pub struct BallTensors {
-    /// For each level the rows of the corners `[4 balls]` and their weights `[balls, 4, 1]`.
+    /// For each level, the rows of the corners `[4 balls]` and their weights `[balls, 4, 1]`.
     pub corners: Vec<(Tensor<1, Int>, Tensor<3>)>,
     /// `[balls]`
     pub scenes: Tensor<1, Int>,

@@ -20,13 +20,13 @@ impl Layer {
     }
 }
 
-/// Features of up to `COLUMNS` balls, `[features, COLUMNS]`: each ball has a column. What columns without a ball hold
-/// does not matter.
+/// Features of up to `COLUMNS` balls, `[features, COLUMNS]`, one column per ball. Columns without a ball hold arbitrary
+/// values.
 #[derive(Clone)]
 pub(super) struct Columns(pub(super) Vec<f32>);
 
 impl Columns {
-    /// The features of each ball, or of whatever else is to have a column.
+    /// Creates columns from the features of each ball, or of any other items.
     pub(super) fn new<'a, B, F: IntoIterator<Item = f32>>(
         balls: &'a [B],
         count: usize,

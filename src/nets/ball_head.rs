@@ -1,8 +1,8 @@
 //! The perceptron of the dynamics net: from the hypercolumn at a ball to its paths and its chance.
 //!
-//! The chance is read from the imagined paths and from the features that draw them. A second one is read from the paths
-//! alone: it shows how much the paths say. `BallHead::predict` is written once, for tensors in training and for plain
-//! slices in `imagined_balls`.
+//! The chance is read from the imagined paths and from the features that produce them. A second chance is read from the
+//! paths alone and shows how much they reveal. `BallHead::predict` is written once, for tensors in training and for
+//! plain slices in `imagined_balls`.
 
 use burn::module::Module;
 use burn::nn::{Linear, LinearConfig};
@@ -26,10 +26,10 @@ pub const POSITIONS: usize = 2 * SAMPLES;
 /// Unit of the net's displacements and errors, px.
 pub const UNIT: f32 = 64.0;
 
-/// Numbers that describe a ball, the green object and its goal.
+/// Number of inputs that describe a ball, the green object and its goal.
 pub const BALL_NUMBERS: usize = 12 + RADII;
 
-/// Numbers that describe the green object, its goal and the ball, for the chance from the paths alone.
+/// Number of inputs that describe the green object, its goal and the ball, for the chance from the paths alone.
 pub const PLACES: usize = 5;
 
 /// Outputs of the layer `scene`.
@@ -49,7 +49,7 @@ const fn hypercolumn() -> usize {
     sum
 }
 
-/// The layers of the perceptron: burn's, or those of `imagined_balls` for inference, which takes the first apart.
+/// The layers of the perceptron: burn's, or those of `imagined_balls` for inference, which splits the first.
 #[derive(Module, Debug)]
 pub struct BallHead<L = Linear, First = L> {
     pub(super) scene: L,
@@ -65,49 +65,49 @@ pub struct BallHead<L = Linear, First = L> {
     path_logit: L,
 }
 
-/// Features of some balls, and the operations that the perceptron consists of.
+/// Features of some balls, and the operations of the perceptron.
 pub trait Features: Clone {
     /// A linear layer with its bias.
     type Layer;
 
     /// Applies a linear layer.
     fn linear(&self, layer: &Self::Layer) -> Self;
-    /// The positive part.
+    /// Returns the positive part.
     fn relu(self) -> Self;
-    /// ln(1 + e^x), written so that no x overflows.
+    /// Returns ln(1 + e^x), written so that no x overflows.
     fn softplus(self) -> Self;
-    /// Adds feature by feature.
+    /// Adds the features of `other` elementwise.
     fn add(self, other: Self) -> Self;
-    /// The features of all blocks, one block after the other.
+    /// Returns the features of all blocks, concatenated.
     fn concat(blocks: Vec<Self>) -> Self;
-    /// The same features; no gradient flows back through them.
+    /// Returns the same features without a gradient.
     fn detach(self) -> Self;
 }
 
 /// The inputs of the perceptron after its first layer, for some balls.
 pub struct HeadInputs<F> {
-    /// The output of the layer `first`, whose inputs are the numbers of the ball, the output of the layer `scene`, and
-    /// the features of each level at the ball, in the order of `LEVELS`.
+    /// The output of the layer `first`. Its inputs are the ball's numbers, the output of the layer `scene`, and the
+    /// features of each level at the ball, in the order of `LEVELS`.
     pub first: F,
     /// `PLACES` features.
     pub places: F,
-    /// `COORDINATES` features: paths that stay where they start, in `UNIT`.
+    /// `COORDINATES` features: paths of bodies that stay where they start, in `UNIT`.
     pub starts: F,
 }
 
-/// What balls lead to.
+/// Predictions for balls.
 pub struct Predictions<F> {
     /// `COORDINATES` features, in `UNIT`.
     pub coordinates: F,
     /// Expected distances between imagined and real positions, in `UNIT`: `POSITIONS` features.
     pub errors: F,
-    /// From the paths and the features that draw them: one feature.
+    /// From the paths and the features that produce them: one feature.
     pub logits: F,
     /// From the paths alone: one feature.
     pub path_logits: F,
 }
 
-/// Where the green object and its goal start, px.
+/// The starting positions of the green object and its goal, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
     /// The green object.
@@ -117,20 +117,20 @@ pub struct Starts {
 }
 
 impl Starts {
-    /// Returns where they start in a scene.
+    /// Returns the starting positions in a scene.
     pub fn of(scene: &Scene) -> Starts {
         let start = |body: usize| [scene.bodies[body].x as f32, scene.bodies[body].y as f32];
         Starts { object: start(scene.body1), goal: start(scene.body2) }
     }
 
-    /// Mirrored left to right.
+    /// Returns the positions mirrored left to right.
     pub fn mirrored(self) -> Starts {
         let mirror = |[x, y]: [f32; 2]| [SIZE as f32 - x, y];
         Starts { object: mirror(self.object), goal: mirror(self.goal) }
     }
 }
 
-/// The four cells around a position in a level of this side, and their weights in the bilinear interpolation.
+/// Returns the four cells around a position in a level with this side, and their weights in bilinear interpolation.
 pub fn corners(side: usize, ball: Ball) -> [(usize, f32); 4] {
     let axis = |at: f64| {
         let position = (at / SIZE * side as f64 - 0.5).clamp(0.0, (side - 1) as f64);
@@ -146,8 +146,8 @@ pub fn corners(side: usize, ball: Ball) -> [(usize, f32); 4] {
     ]
 }
 
-/// Returns the numbers that describe a ball: positions in 0..=1, where it is in its cell, its radius alone and as hat
-/// functions, and how object and goal lie to it.
+/// Returns the numbers that describe a ball: positions in 0..=1, its position within its cell, its radius as such and
+/// as hat functions, and the object and the goal relative to the ball.
 pub fn ball_numbers(ball: Ball, starts: Starts) -> [f32; BALL_NUMBERS] {
     let scale = SIZE as f32;
     let (x, y) = (ball.x as f32, ball.y as f32);
@@ -174,7 +174,7 @@ pub fn ball_numbers(ball: Ball, starts: Starts) -> [f32; BALL_NUMBERS] {
     numbers
 }
 
-/// Returns the numbers that the chance from the paths alone sees beside them.
+/// Returns the inputs, besides the paths, of the chance from the paths alone.
 pub fn places(ball: Ball, starts: Starts) -> [f32; PLACES] {
     let scale = SIZE as f32;
     let Starts { object, goal } = starts;
@@ -208,7 +208,7 @@ impl BallHead {
         }
     }
 
-    /// Features of scenes and balls in them, in; what each ball leads to, out.
+    /// Predicts the outcome of each ball from the features of its scene.
     pub fn forward(&self, features: &SceneFeatures, balls: BallTensors) -> Predictions<Tensor<2>> {
         let BallTensors { corners, scenes, numbers, places, starts } = balls;
         let code = relu(self.scene.forward(features.code.clone())).select(0, scenes); // [balls, SCENE_HIDDEN]
@@ -224,8 +224,8 @@ impl BallHead {
 }
 
 impl<L, First> BallHead<L, First> {
-    /// The perceptron after its first layer, for training and for inference. The order of the blocks is that of the
-    /// inputs of the layers in weights files.
+    /// Applies the perceptron after its first layer, in training and in inference. The blocks are in the order of the
+    /// layers' inputs in weights files.
     pub fn predict<F: Features<Layer = L>>(&self, inputs: HeadInputs<F>) -> Predictions<F> {
         let HeadInputs { first, places, starts } = inputs;
         let hidden = first.relu().linear(&self.second).relu();
@@ -234,7 +234,7 @@ impl<L, First> BallHead<L, First> {
         let paths = F::concat(vec![coordinates.clone(), errors.clone(), places]);
         let chance = F::concat(vec![hidden, paths.clone()]).linear(&self.chance).relu();
         let [first, second] = &self.path_chance;
-        // The loss of these logits does not change the paths: it only reads them.
+        // `detach` keeps the loss of these logits from changing the paths.
         let path_chance = paths.detach().linear(first).relu().linear(second).relu();
         Predictions {
             coordinates,
@@ -244,7 +244,7 @@ impl<L, First> BallHead<L, First> {
         }
     }
 
-    /// Returns the same perceptron with layers of another kind.
+    /// Returns the same perceptron with its layers converted.
     pub fn with_layers<M, N>(&self, convert: impl Fn(&L) -> M, convert_first: impl Fn(&First) -> N) -> BallHead<M, N> {
         BallHead {
             scene: convert(&self.scene),
@@ -260,7 +260,7 @@ impl<L, First> BallHead<L, First> {
     }
 }
 
-/// `[balls, features]`, for training.
+/// Features as `[balls, features]`, for training.
 impl Features for Tensor<2> {
     type Layer = Linear;
 

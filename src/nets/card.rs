@@ -1,4 +1,4 @@
-//! The card of weights: the settings that they were trained with. `weights` keeps it in the file's metadata as JSON.
+//! The card of weights: the settings that they were trained with. `weights` stores it as JSON in the file's metadata.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -18,19 +18,20 @@ pub struct OtherFold {
 }
 
 impl FoldId {
-    /// Checks that weights of this fold have not seen the test tasks of the fold that is asked for.
+    /// Checks that weights of this fold have not seen the test tasks of the requested fold.
     ///
     /// # Errors
+    ///
     /// If the folds differ.
     pub fn check(self, asked: FoldId) -> Result<(), OtherFold> {
         if self == asked { Ok(()) } else { Err(OtherFold { trained_on: self, asked }) }
     }
 }
 
-/// The settings that the weights were trained with. Aliases: keys of older files.
+/// The settings that the weights were trained with. Aliases are keys of older files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Card {
-    /// What the fold generalises to.
+    /// What the nets must generalise to.
     pub setup: Setup,
     /// 0..=9; the nets have seen only this fold's training tasks.
     pub fold: u8,
@@ -44,14 +45,15 @@ pub struct Card {
     pub learning_rate: f64,
     /// Number of final epochs over which the learning rate decays linearly to zero.
     pub decay_epochs: usize,
-    /// Half of the samples were mirrored left to right.
+    /// Whether half of the samples were mirrored left to right.
     pub mirror: bool,
-    /// The fold's dev tasks were left out of training, so that settings may be chosen on them; false by default.
+    /// Whether the fold's dev tasks were left out of training, so that settings can be chosen on them; false by
+    /// default.
     #[serde(default)]
     pub without_dev: bool,
-    /// Solutions trained on.
+    /// Number of solutions trained on.
     pub samples: usize,
-    /// Tasks that the solutions belong to.
+    /// Number of tasks that the solutions belong to.
     pub tasks: usize,
     /// `simulator::VERSION` of the rollouts trained on.
     pub simulator: u32,
@@ -88,20 +90,20 @@ pub struct SuccessCard {
     /// The optimiser.
     #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
     pub optimiser: Optimiser,
-    /// Its highest learning rate.
+    /// The highest learning rate.
     pub learning_rate: f64,
-    /// Labelled balls that these are drawn from.
+    /// Number of labelled balls that the batches are drawn from.
     pub balls: usize,
 }
 
-/// The optimiser of a training.
+/// The optimiser of a training run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Optimiser {
     /// Adam (Kingma and Ba 2014).
     #[default]
     Adam,
-    /// Muon (Jordan et al. 2024) for the weights of the layers, Adam for all else.
+    /// Muon (Jordan et al. 2024) for the weights of the layers, Adam for all other parameters.
     Muon,
 }
 
@@ -120,7 +122,7 @@ impl Display for Optimiser {
     }
 }
 
-/// How much the imagined paths count in the loss of a dynamics net.
+/// The weights of the imagined paths in the loss of a dynamics net.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PathWeights {
     /// Weight of the mean distance between imagined and real coordinates, in `ball_head::UNIT`.
@@ -153,44 +155,44 @@ pub struct DynamicsCard {
     pub batch: u16,
     /// Balls drawn per scene in a batch.
     pub balls_per_scene: u16,
-    /// Of these, balls whose paths are learned.
+    /// Number of these balls whose paths are learned.
     pub imagined_per_scene: u16,
     /// The optimiser.
     #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
     pub optimiser: Optimiser,
-    /// Its highest learning rate.
+    /// The highest learning rate.
     pub learning_rate: f64,
-    /// How much the paths count in its loss.
+    /// The weights of the paths in the loss.
     #[serde(default, skip_serializing_if = "PathWeights::is_default")]
     pub path_weights: PathWeights,
-    /// Labelled balls that these are drawn from.
+    /// Number of labelled balls that the batches are drawn from.
     pub balls: usize,
-    /// Whether the net sees the covered share of each cell. Older ones saw which cells are set; `PathNet::load` refuses
-    /// them.
+    /// Whether the net reads the covered share of each cell. Older nets read only which cells are set; `PathNet::load`
+    /// refuses them.
     #[serde(default)]
     pub coverage: bool,
-    /// How many of the scenes are variants of the tasks' scenes.
+    /// Number of scenes that are variants of the tasks' scenes.
     #[serde(default)]
     pub variants: usize,
-    /// How many of the scenes are blends of two tasks' scenes.
+    /// Number of scenes that are blends of two tasks' scenes.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub blends: usize,
-    /// How many of the scenes are unlisted tasks: laid out by a template's script, not listed by the benchmark.
+    /// Number of scenes that are unlisted tasks: laid out by a template's script, not listed by the benchmark.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub unlisted: usize,
-    /// How many of the scenes are random ones, of no task.
+    /// Number of random scenes, which belong to no task.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub random_scenes: usize,
-    /// It has seen random scenes alone and no task, so nets of any fold may start from it.
+    /// Whether it has seen only random scenes and no task. Nets of any fold may start from such a net.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub random_scenes_alone: bool,
-    /// The fold's dev tasks were left out, whatever the four nets have seen.
+    /// Whether the fold's dev tasks were left out, whatever the four nets have seen.
     #[serde(default)]
     pub without_dev: bool,
-    /// The net learned chances alone: what it imagines are no paths.
+    /// Whether the net learned only chances. What it imagines are then not paths.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub without_paths: bool,
-    /// SHA-256 of the weights whose dynamics net it started from, if it did.
+    /// SHA-256 of the weights whose dynamics net training started from, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
 }
@@ -198,7 +200,7 @@ pub struct DynamicsCard {
 /// The settings that DQN was trained with: the card of its own weights.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DqnCard {
-    /// What the fold generalises to.
+    /// What the net must generalise to.
     pub setup: Setup,
     /// 0..=9; the net has seen only this fold's training tasks.
     pub fold: u8,
@@ -213,13 +215,13 @@ pub struct DqnCard {
     /// The optimiser.
     #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
     pub optimiser: Optimiser,
-    /// Its highest learning rate.
+    /// The highest learning rate.
     pub learning_rate: f64,
-    /// Labelled balls that these are drawn from.
+    /// Number of labelled balls that the batches are drawn from.
     pub balls: usize,
-    /// How many of the scenes are variants of the tasks' scenes.
+    /// Number of scenes that are variants of the tasks' scenes.
     pub variants: usize,
-    /// The fold's dev tasks were left out of training, so that settings may be chosen on them.
+    /// Whether the fold's dev tasks were left out of training, so that settings can be chosen on them.
     pub without_dev: bool,
 }
 

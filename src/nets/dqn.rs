@@ -1,17 +1,17 @@
 //! DQN, the baseline of PHYRE (Bakhtin et al. 2019, "PHYRE: A New Benchmark for Physical Reasoning"): a classifier that
-//! says how likely an action solves a scene.
+//! predicts how likely an action solves a scene.
 //!
-//! A residual net (He et al. 2016) reads the scene. Before its last stage a perceptron of the action multiplies and
-//! shifts each channel of the features (FiLM, Perez et al. 2018); the last stage, a maximum over the cells and a linear
+//! A residual net (He et al. 2016) reads the scene. Before its last stage, a perceptron of the action multiplies and
+//! shifts each channel of the features (FiLM, Perez et al. 2018). The last stage, a maximum over the cells and a linear
 //! layer turn them into the logit. The first layer after the modulation is linear in it, so it is convolved once per
-//! scene, channel by channel, and an action only adds up the results: ten thousand actions are ranked in less than a
+//! scene, channel by channel, and each action only adds up the results. Ranking ten thousand actions takes less than a
 //! second.
 //!
-//! What is smaller than the published net, so that a CPU trains it in less than an hour: 64 x 64 cells instead of 256 x
-//! 256 pixels, one residual block in a stage instead of two, none in the first, at most `FEATURES` channels instead of
-//! 512, no batch normalisation; its place is taken by residual branches that start at zero (Zhang et al. 2019,
-//! "Fixup"). The action's perceptron has one hidden layer more, and mirrored scenes and several balls of a scene make
-//! up a batch. Native only: the page has no use for it.
+//! The net is smaller than the published one, so that a CPU trains it in less than an hour. It reads 64 x 64 cells
+//! instead of 256 x 256 pixels, and has one residual block per stage instead of two, none in the first stage, and at
+//! most `FEATURES` channels instead of 512. Instead of batch normalisation it has residual branches that start at zero
+//! (Zhang et al. 2019, "Fixup"). The action's perceptron has one more hidden layer, and a batch consists of mirrored
+//! scenes and several balls of each scene. Native only: the page does not use it.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, Conv2dConfig};
@@ -25,7 +25,7 @@ use crate::puzzle::action::Action;
 use crate::puzzle::scene::Scene;
 use crate::raster::{CHANNELS, Coverage, SIDE, scene_coverage};
 
-/// Channels after each of the three stages that see the scene alone; each halves the side.
+/// Channels after each of the three stages that depend only on the scene; each halves the side.
 const WIDTHS: [usize; 3] = [16, 32, FEATURES];
 
 /// Channels that the action modulates.
@@ -65,23 +65,23 @@ pub struct Dqn {
     logit: Linear,
 }
 
-/// Two convolutions whose result is added to what they see.
+/// Two convolutions whose result is added to their input.
 #[derive(Module, Debug)]
 struct ResidualBlock {
     first: Conv2d,
     second: Conv2d,
 }
 
-/// What the net makes of scenes, for any actions in them.
+/// The net's results for scenes, valid for any actions in them.
 pub struct SceneFeatures {
-    /// The outputs of the layer after the modulation for each channel of features alone, `[scenes, FEATURES, 2 LAST
-    /// cells]`.
+    /// The outputs of the layer after the modulation for each single channel of features,
+    /// `[scenes, FEATURES, 2 LAST cells]`.
     of_features: Tensor<3>,
     /// The same for channels that are 1 everywhere, `[FEATURES, 2 LAST cells]`.
     of_ones: Tensor<2>,
 }
 
-/// A fresh 3 x 3 convolution that keeps the side.
+/// Returns a fresh 3 x 3 convolution that keeps the side.
 fn convolution(channels: usize, initializer: Option<Initializer>, device: &Device) -> Conv2d {
     let config = Conv2dConfig::new([channels; 2], [3; 2]).with_padding(PaddingConfig2d::Explicit(1, 1, 1, 1));
     initializer.map_or(config.clone(), |initializer| config.with_initializer(initializer)).init(device)
@@ -132,7 +132,7 @@ impl Dqn {
         let [scenes, ..] = features.dims();
         let ones = Tensor::ones([1, FEATURES, FEATURES_SIDE, FEATURES_SIDE], &features.device());
         let padded = Tensor::cat(vec![features, ones], 0).pad((1, 1, 1, 1), 0.0);
-        // For each place in the kernel what it covers in all cells: [scenes + 1, FEATURES, 1, cells].
+        // For each position in the kernel, the cells that it covers: [scenes + 1, FEATURES, 1, cells].
         let covered = (0..KERNEL * KERNEL).map(|place| {
             let [row, column] = [place / KERNEL, place % KERNEL];
             let patch = padded.clone().slice(s![.., .., row..row + FEATURES_SIDE;2, column..column + FEATURES_SIDE;2]);
@@ -148,7 +148,7 @@ impl Dqn {
         SceneFeatures { of_features, of_ones: of_ones.squeeze_dim(0) }
     }
 
-    /// The features that the action modulates, `[scenes, FEATURES, FEATURES_SIDE, FEATURES_SIDE]`.
+    /// Returns the features that the action modulates, `[scenes, FEATURES, FEATURES_SIDE, FEATURES_SIDE]`.
     fn features(&self, scenes: Tensor<4>) -> Tensor<4> {
         let mut x = scenes;
         for (stage, down) in self.down.iter().enumerate() {
@@ -160,7 +160,7 @@ impl Dqn {
         x
     }
 
-    /// The factor and the shift of each channel for actions, `[scenes, actions, FEATURES]` each.
+    /// Returns the factor and the shift of each channel for actions, `[scenes, actions, FEATURES]` each.
     fn modulation(&self, actions: Tensor<3>) -> [Tensor<3>; 2] {
         let [first, second, last] = &self.action;
         let hidden = relu(second.forward(relu(first.forward(actions))));
@@ -168,7 +168,7 @@ impl Dqn {
         [factor + 1.0, shift]
     }
 
-    /// The output of the layer after the modulation, `[scenes * actions, 2 LAST, side, side]`.
+    /// Returns the output of the layer after the modulation, `[scenes * actions, 2 LAST, side, side]`.
     fn modulated(&self, features: &SceneFeatures, factor: Tensor<3>, shift: Tensor<3>) -> Tensor<4> {
         let [scenes, count, _] = factor.dims();
         let scaled = factor.matmul(features.of_features.clone()).reshape([scenes * count, 2 * LAST * LAST_CELLS]);
@@ -178,7 +178,7 @@ impl Dqn {
         (scaled + shifted).reshape([scenes * count, 2 * LAST, side, side]) + bias.reshape([1, 2 * LAST, 1, 1])
     }
 
-    /// Scenes and actions in each, `[scenes, actions, 3]`, in; the logit of each action out, `[scenes, actions]`.
+    /// Returns the logit of each action, `[scenes, actions]`, for scenes and actions in each, `[scenes, actions, 3]`.
     pub fn forward(&self, features: &SceneFeatures, actions: Tensor<3>) -> Tensor<2> {
         let [scenes, count, _] = actions.dims();
         let [factor, shift] = self.modulation(actions);
@@ -202,7 +202,7 @@ impl Dqn {
     }
 }
 
-/// The numbers of an action as the net sees them.
+/// Returns the numbers of an action as inputs of the net.
 pub fn inputs(Action { x, y, r }: Action) -> [f32; 3] {
     [x as f32, y as f32, r as f32]
 }

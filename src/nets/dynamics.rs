@@ -1,11 +1,11 @@
-//! The dynamics net: imagines for any ball where the green object and the ball go, and how likely it solves the scene.
+//! The dynamics net: imagines the paths of the green object and of any ball, and how likely the ball solves the scene.
 //!
-//! A forward model of the scene's dynamics that is conditioned on an action (Ahmed et al. 2021, "Physical Reasoning
+//! It is a forward model of the scene's dynamics, conditioned on an action (Ahmed et al. 2021, "Physical Reasoning
 //! Using Dynamics-Aware Models", show that such knowledge helps to choose actions). A U-Net reads the covered share of
-//! each cell once; a small perceptron then answers for each ball from the hypercolumn at its place (Hariharan et al.
-//! 2015: the features of all sizes), its exact position and its radius. So a ball costs little, and hundreds are
-//! imagined at once. It also returns one map of logits for each of a few radii, as the success net does: they say which
-//! balls are worth imagining.
+//! each cell once. For each ball, a small perceptron then predicts the outcome from the hypercolumn at the ball's
+//! centre (Hariharan et al. 2015: the features of all sizes), its exact position and its radius. A ball therefore costs
+//! little, and hundreds are imagined at once. Like the success net, it also returns one map of logits for each of a few
+//! radii, which show which balls are worth imagining.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
@@ -22,8 +22,8 @@ use crate::raster::SIDE;
 /// Features of the finest level, 64 x 64.
 pub const FINEST: usize = 16;
 
-/// The levels of the hypercolumn, finest first: side and channels. Those with a skip connection have the channels of
-/// decoder and encoder.
+/// The levels of the hypercolumn, finest first: side and channels. Levels with a skip connection have the channels of
+/// both decoder and encoder.
 pub const LEVELS: [(usize, usize); 5] = [
     (SIDE, FINEST),
     (SIDE / 2, 2 * WIDTHS[0]),
@@ -32,10 +32,10 @@ pub const LEVELS: [(usize, usize); 5] = [
     (SIDE / 16, 2 * WIDTHS[3]),
 ];
 
-/// Values of the code, the innermost output of the encoder: 2 x 2 cells.
+/// Number of values of the code, the innermost output of the encoder: 2 x 2 cells.
 pub const CODE: usize = 4 * WIDTHS[4];
 
-/// A net from the covered shares of a scene's cells and balls in it to their paths and chances.
+/// A net from the covered shares of a scene's cells and the balls in the scene to the balls' paths and chances.
 #[derive(Module, Debug)]
 pub struct DynamicsNet {
     down: Vec<Conv2d>,
@@ -43,7 +43,7 @@ pub struct DynamicsNet {
     pub(super) head: BallHead,
 }
 
-/// What the U-Net makes of scenes.
+/// The U-Net's results for scenes.
 pub struct SceneFeatures {
     /// Logits of the balls on each cell, `[batch, RADII, 64, 64]`.
     pub logits: Tensor<4>,
@@ -64,7 +64,7 @@ impl DynamicsNet {
         DynamicsNet { down, up, head: BallHead::new(device) }
     }
 
-    /// The logits of the cells alone, `[batch, RADII, 64, 64]`: the last layer leaves out the features of balls.
+    /// Returns only the logits of the cells, `[batch, RADII, 64, 64]`. The last layer omits the features of balls.
     pub fn cell_logits(&self, scenes: Tensor<4>) -> Tensor<4> {
         let mut up = self.up.clone();
         let last = up.last_mut().expect("five layers");
@@ -82,7 +82,8 @@ impl DynamicsNet {
         SceneFeatures { logits, levels, code: code.flatten(1, 3) }
     }
 
-    /// Scenes `[batch, 5, 64, 64]` and balls in them, in; the logits of all cells and what each ball leads to, out.
+    /// Returns the logits of all cells and the predictions for each ball, from scenes `[batch, 5, 64, 64]` and balls in
+    /// them.
     pub fn forward(&self, scenes: Tensor<4>, balls: BallTensors) -> (Tensor<4>, Predictions<Tensor<2>>) {
         let features = self.encode(scenes);
         let predictions = self.head.forward(&features, balls);

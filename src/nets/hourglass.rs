@@ -1,8 +1,8 @@
 //! One hourglass net: a stack of 64 x 64 images in, one 64 x 64 map of logits out.
 //!
-//! An encoder-decoder without skip connections (Harter et al. 2020): six stride-2 convolutions encode 64 x 64 cells
-//! as a code of 256 values, six transposed ones decode it. At the code, the paper's 4 x 4 kernels meet data only with
-//! their centre 2 x 2, the other taps only padding; so just the centre is kept, which changes no result.
+//! An encoder-decoder without skip connections (Harter et al. 2020): six stride-2 convolutions encode 64 x 64 cells as
+//! a code of 256 values, and six transposed convolutions decode it. At the code, only the centre 2 x 2 of the paper's 4
+//! x 4 kernels meets data; the other taps meet padding. Only the centre is kept, which changes no result.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
@@ -15,7 +15,7 @@ const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
 
 const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
-/// An hourglass net. Its parameters are those of the paper's layers of 4 x 4 kernels without the dead taps.
+/// An hourglass net. Its parameters are those of the paper's layers of 4 x 4 kernels, without the dead taps.
 #[derive(Module, Debug)]
 pub struct Hourglass {
     down: Vec<Conv2d>,
@@ -36,7 +36,7 @@ impl Hourglass {
         Hourglass { down: down.collect(), up: up.collect() }
     }
 
-    /// `[batch, channels, 64, 64]` in, logits `[batch, 1, 64, 64]` out.
+    /// Returns the logits `[batch, 1, 64, 64]` of images `[batch, channels, 64, 64]`.
     pub fn forward(&self, images: Tensor<4>) -> Tensor<4> {
         let code = self.down.iter().fold(images, |x, layer| conv_down(layer, x)); // [batch, 256, 1, 1]
         let (last, hidden) = self.up.split_last().expect("six layers");
@@ -45,7 +45,7 @@ impl Hourglass {
     }
 }
 
-/// Width of the kernel of a convolution and of the transposed one that mirrors it.
+/// Returns the kernel width of a convolution and of the transposed convolution that mirrors it.
 fn kernel(layer: usize) -> usize {
     if layer == 5 { 2 } else { 4 }
 }

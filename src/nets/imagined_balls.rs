@@ -1,11 +1,12 @@
-//! What the dynamics net imagines for the balls of one scene, on plain slices.
+//! Imagines balls in one scene with the dynamics net, on plain slices.
 //!
-//! `BallHead::predict` with sums in an order that does not depend on the processor: natively and in wasm the answers
-//! are the same, bit for bit. PHYRE's world is symmetric, so the net answers for the scene and for its mirror image,
-//! and the answer is their mean.
+//! Computes `BallHead::predict` with sums in an order that does not depend on the processor, so the results are the
+//! same natively and in wasm, bit for bit. PHYRE's world is symmetric, so the net predicts for the scene and for its
+//! mirror image, and the result is the mean.
 //!
-//! Between its inputs and the first ReLU all is linear. So what does not depend on the ball is multiplied by the first
-//! layer once for a scene: its code, and the cells of the coarse levels, whose products are then interpolated.
+//! Everything between the inputs and the first ReLU is linear. The part that does not depend on the ball is therefore
+//! multiplied by the first layer only once per scene: the code, and the cells of the coarse levels, whose products are
+//! then interpolated.
 
 use burn::nn::Linear;
 use burn::tensor::Tensor;
@@ -23,22 +24,22 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::scene::{SIZE, Scene};
 
-/// What the mean of the three logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of
-/// many balls are those that the net is most wrong about. Set by hand, not tuned.
+/// Factor for the mean of the three logits. Trained nets are overconfident in new scenes, and the likeliest of many
+/// balls are those about which the net is most wrong. Set by hand, not tuned.
 const CONFIDENCE: f32 = 0.7;
 
-/// Levels whose features are interpolated before the first layer: they have more cells than a turn has balls.
+/// Levels whose features are interpolated before the first layer, because they have more cells than a turn has balls.
 const FINE_LEVELS: usize = 2;
 
-/// What the net imagines for a ball.
+/// The net's prediction for a ball.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImaginedBall {
     /// The imagined paths, px.
     pub paths: SampledPaths,
     /// Expected distance between imagined and real positions at each sample: of the object, then of the ball, px.
     pub errors: [f32; POSITIONS],
-    /// The logit of the chance that the ball solves: the mean of the one that is read from the paths and the features
-    /// that draw them, of the one from the paths alone, and of the one of the ball's cell, times `CONFIDENCE`.
+    /// The logit of the chance that the ball solves: the mean of three logits, times `CONFIDENCE`. One is read from the
+    /// paths and the features that produce them, one from the paths alone, and one is that of the ball's cell.
     pub logit: f32,
     /// The logit from the paths alone.
     pub path_logit: f32,
@@ -56,16 +57,16 @@ pub struct ReadScene {
 /// The features of a scene or of its mirror image.
 struct View {
     starts: Starts,
-    /// For each fine level `[side * side, channels]`: the features of a cell lie together, because a ball needs all of
-    /// them.
+    /// For each fine level, `[side * side, channels]`. The features of a cell are contiguous, because a ball needs them
+    /// all.
     fine: Vec<Vec<f32>>,
-    /// For each coarse level `[side * side, HIDDEN[0]]`: the products of the cells' features and the first layer.
+    /// For each coarse level, `[side * side, HIDDEN[0]]`: the products of the cells' features and the first layer.
     coarse: Vec<Vec<f32>>,
-    /// The bias of the first layer, and the product of the scene's code and that layer.
+    /// The bias of the first layer plus the product of that layer and the scene's code.
     code: Vec<f32>,
 }
 
-/// The first layer in the parts of its inputs.
+/// The first layer, split by its inputs.
 struct FirstLayer {
     numbers: Panels,
     code: Panels,
@@ -123,7 +124,7 @@ impl DynamicsNet {
     }
 }
 
-/// The products of the features of cells and a part of the first layer, `[cells, HIDDEN[0]]`.
+/// Returns the products of the features of cells and a part of the first layer, `[cells, HIDDEN[0]]`.
 fn product(level: &[f32], part: &Panels) -> Vec<f32> {
     let cells: Vec<&[f32]> = level.chunks_exact(part.inputs()).collect();
     let of_cells = |cells: &[&[f32]]| {
@@ -136,7 +137,7 @@ fn product(level: &[f32], part: &Panels) -> Vec<f32> {
 }
 
 impl View {
-    /// Returns what up to `COLUMNS` balls lead to.
+    /// Returns the predictions for up to `COLUMNS` balls.
     fn imagine(&self, head: &BallHead<Layer, FirstLayer>, balls: &[Ball]) -> Vec<ImaginedBall> {
         let predictions = head.predict(HeadInputs {
             first: self.first(&head.first, balls),
@@ -158,7 +159,7 @@ impl View {
         (0..balls.len()).map(imagined).collect()
     }
 
-    /// The output of the first layer.
+    /// Returns the output of the first layer.
     fn first(&self, layer: &FirstLayer, balls: &[Ball]) -> Columns {
         let (fine_levels, coarse_levels) = LEVELS.split_at(FINE_LEVELS);
         let of_scene = Columns::new(balls, HIDDEN[0], |&ball| {
@@ -182,7 +183,7 @@ impl View {
     }
 }
 
-/// Adds the values of a level, `[side * side, channels]`, at a ball.
+/// Adds the interpolated values of a level, `[side * side, channels]`, at a ball.
 fn interpolate(sums: &mut [f32], level: &[f32], side: usize, ball: Ball) {
     let channels = sums.len();
     let [first, second, third, fourth] = corners(side, ball)
@@ -193,10 +194,10 @@ fn interpolate(sums: &mut [f32], level: &[f32], side: usize, ball: Ball) {
 }
 
 impl ReadScene {
-    /// Imagines what balls of the scene lead to.
+    /// Imagines balls in the scene.
     pub fn imagine(&self, balls: &[Ball]) -> Vec<ImaginedBall> {
         let [view, mirrored_view] = &self.views;
-        // Balls close together have zeros in the same features.
+        // Neighbouring balls have zeros in the same features.
         let mut order: Vec<usize> = (0..balls.len()).collect();
         let cell = |at: f64, side: f64| (at / side) as i32;
         let cells = |Ball { x, y, .. }: Ball| [cell(y, 32.0), cell(x, 32.0), cell(y, 8.0), cell(x, 8.0)];
@@ -212,7 +213,7 @@ impl ReadScene {
         }
         imagined.sort_unstable_by_key(|&(index, _)| index);
         let with_cell = |((_, mut imagined), &ball): ((&usize, ImaginedBall), &Ball)| {
-            // Only a ball that is not valid has no cell.
+            // Only an invalid ball has no cell.
             let of_cell = logit_index(ball).map_or(imagined.logit, |index| self.logits[index]);
             imagined.logit = CONFIDENCE * (imagined.logit + imagined.path_logit + of_cell) / 3.0;
             imagined
@@ -222,7 +223,7 @@ impl ReadScene {
 }
 
 impl ImaginedBall {
-    /// Returns the mean of the answers for a ball and for its mirror image in the mirrored scene.
+    /// Returns the mean of the predictions for a ball and for its mirror image in the mirrored scene.
     fn mean(mut self, mirrored: &ImaginedBall) -> ImaginedBall {
         let average = |path: &mut [[f32; 2]], mirrored: &[[f32; 2]]| {
             for ([x, y], [mirrored_x, mirrored_y]) in path.iter_mut().zip(mirrored) {

@@ -1,7 +1,7 @@
-//! The logistic function and softplus, its integral, the same to the bit natively and in wasm.
+//! The logistic function, and softplus, its integral, the same to the bit natively and in wasm.
 //!
-//! burn's calls the exponential function of the platform's library, one value at a time, and the libraries differ in
-//! the last bits. Here it is a polynomial, without fused operations, on vector registers.
+//! burn's version calls the platform library's exponential function one value at a time, and the libraries differ in
+//! the last bits. This one uses a polynomial without fused operations, on vector registers.
 
 // burn has deprecated its ndarray backend; it is kept as the reference backend of the differential tests.
 #![allow(deprecated)]
@@ -21,16 +21,16 @@ use rayon::prelude::*;
 
 use super::conv::simd::vectorize;
 
-/// Values that one core takes at a time: 64 KiB.
+/// Values that one core processes at a time: 64 KiB.
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) const CHUNK: usize = 1 << 14;
 
-/// Returns 1 / (1 + e^-x) of every x.
+/// Returns 1 / (1 + e^-x) for every x.
 pub(crate) fn logistic<const D: usize>(x: Tensor<D>) -> Tensor<D> {
     Tensor::from_dispatch(Dispatch::logistic(x.into_dispatch()))
 }
 
-/// The function on the tensors of a backend. burn's defines the result: ndarray runs it.
+/// The function on the tensors of a backend. burn's version defines the result; ndarray runs it.
 #[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(feature = "training"))]
 pub(crate) trait Logistic: Backend {
     /// See `logistic`.
@@ -79,7 +79,7 @@ impl Backward<Flex, 1> for LogisticStep {
     }
 }
 
-/// Returns `f` of the values of two tensors of a shape, in that shape.
+/// Returns `f` of the values of two tensors of the same shape.
 fn map(a: &FloatTensor<Flex>, b: &FloatTensor<Flex>, f: impl Fn(f32, f32) -> f32 + Copy + Sync) -> FloatTensor<Flex> {
     let shape = a.shape();
     let [a, b] = [a, b].map(|tensor| tensor.to_contiguous());
@@ -113,7 +113,7 @@ impl<F: Fn(f32, f32) -> f32> WithSimd for Map<'_, F> {
     }
 }
 
-/// 1 / (1 + e^-x), and e^-|x|.
+/// Returns 1 / (1 + e^-x), and e^-|x|.
 #[inline(always)]
 pub(crate) fn logistic_and_exp(x: f32) -> (f32, f32) {
     let exp = exp_of_negative(-x.abs());
@@ -121,12 +121,12 @@ pub(crate) fn logistic_and_exp(x: f32) -> (f32, f32) {
     (if x < 0.0 { exp * of_abs } else { of_abs }, exp)
 }
 
-/// e to a power of at most 0, to 2e-7 relatively; 0 below e^-87. NaN stays.
+/// Returns e to a power of at most 0, with a relative error of 2e-7; 0 below e^-87. NaN stays NaN.
 #[inline(always)]
 fn exp_of_negative(x: f32) -> f32 {
     /// ln 2 in two parts, the first with few enough bits that its multiples are exact (Cody and Waite 1980).
     const LN_2: [f32; 2] = [0.693_359_4, -2.121_944_4e-4];
-    /// Adding it rounds a small number to a whole one, ties to even.
+    /// Adding this rounds a small number to a whole one, ties to even.
     const ROUND: f32 = 12_582_912.0;
     let exponent = x * std::f32::consts::LOG2_E;
     let is_tiny = exponent < -126.0;
@@ -157,7 +157,7 @@ impl WithSimd for Softplus<'_> {
     }
 }
 
-/// ln(1 + x) for x in 0..=1, to 3e-7 relatively.
+/// Returns ln(1 + x) for x in 0..=1, with a relative error of 3e-7.
 #[inline(always)]
 pub(crate) fn ln_1p(x: f32) -> f32 {
     // 2 artanh(x / (2 + x)): a series in a square of at most 1/9.

@@ -1,9 +1,10 @@
-//! The nets of Harter et al. (2020): each predicts one map from the scene, the last two also from earlier maps.
+//! The nets of Harter et al. (2020). Each predicts one map from the scene; the last two also use earlier maps.
 //!
-//! Base path and target path come from the scene alone; the action path from the scene and both; the placement of the
-//! ball from scene, target path and action path. One more net scores balls: the success net from the scene alone, or
-//! the dynamics net, which imagines what a ball leads to. This folder is the only user of burn, none of whose types its
-//! callers need. It uses neither agents nor the simulator, and files only for the checkpoints of a training.
+//! The base path and the target path are predicted from the scene alone, the action path from the scene and both paths,
+//! and the placement of the ball from the scene, the target path and the action path. One more net scores balls: the
+//! success net, which reads only the scene, or the dynamics net, which imagines what a ball leads to. This folder is
+//! the only user of burn, and its callers need none of burn's types. It uses neither agents nor the simulator, and
+//! files only for training checkpoints.
 
 use burn::module::Module;
 use burn::tensor::{Device, Tensor, TensorData};
@@ -44,16 +45,16 @@ pub use parameters::Parameter;
 pub use success_net::SuccessNet;
 pub use weights::{WeightsError, read_card};
 
-/// The nets together.
+/// The nets of a model.
 #[derive(Module, Debug)]
 pub struct PathNet {
     base: Hourglass,
     target: Hourglass,
     action: Hourglass,
     placement: Hourglass,
-    /// Not part of the paper; weights may come without it.
+    /// The success net, which is not part of the paper. Weights may lack it.
     pub success: Option<SuccessNet>,
-    /// Not part of the paper; weights may come without it.
+    /// The dynamics net, which is not part of the paper. Weights may lack it.
     pub dynamics: Option<DynamicsNet>,
 }
 
@@ -61,7 +62,7 @@ pub struct PathNet {
 pub type Logits = [Tensor<4>; 4];
 
 impl PathNet {
-    /// Returns fresh nets with random weights from this seed, without a success net and without a dynamics net.
+    /// Returns fresh nets with random weights from this seed, without a success net or a dynamics net.
     pub fn fresh(seed: u64) -> PathNet {
         PathNet::new(&seeded(seed))
     }
@@ -93,12 +94,12 @@ impl PathNet {
         }
     }
 
-    /// Scenes `[batch, 5, 64, 64]` in, logits out; gradients flow through the whole chain.
+    /// Returns the logits of scenes `[batch, 5, 64, 64]`. Gradients flow through the whole chain.
     pub fn forward(&self, scene: Tensor<4>) -> Logits {
         self.chain(scene).0
     }
 
-    /// The logits, and the maps of the first three, which later nets see.
+    /// Returns the logits, and the maps of the first three nets, which later nets use.
     fn chain(&self, scene: Tensor<4>) -> (Logits, [Tensor<4>; 3]) {
         let base = self.base.forward(scene.clone());
         let target = self.target.forward(scene.clone());
@@ -127,9 +128,9 @@ impl PathNet {
         Imagined { base, target, action, placement }
     }
 
-    /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`: the success net's, or else the dynamics net's;
-    /// `None` if the weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror
-    /// image are averaged, which is more accurate than one.
+    /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`, from the success net or otherwise the dynamics
+    /// net; `None` if the weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its
+    /// mirror image are averaged, which is more accurate than either.
     pub fn cell_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
         let both = |image: Tensor<4>| Tensor::cat(vec![image.clone(), image.flip([3])], 0); // [2, 5, 64, 64]
         let logits = match (&self.success, &self.dynamics) {
@@ -149,19 +150,19 @@ impl PathNet {
         Some(logits)
     }
 
-    /// Returns a scene as the dynamics net reads it, or `None` if the weights have none.
+    /// Reads a scene with the dynamics net; `None` if the weights have none.
     pub fn read(&self, scene: &Scene) -> Option<ReadScene> {
         let dynamics = self.dynamics.as_ref()?;
         let images = self.encode_coverage(scene);
         Some(dynamics.read(scene, Tensor::cat(vec![images.clone(), images.flip([3])], 0)))
     }
 
-    /// The input of the paper's nets for a scene, `[1, 5, 64, 64]`.
+    /// Returns the input of the paper's nets for a scene, `[1, 5, 64, 64]`.
     fn encode(&self, scene: &Scene) -> Tensor<4> {
         self.image(scene_channels(scene).iter().flat_map(Bitmap::rows).collect::<Vec<_>>().into_flattened())
     }
 
-    /// The input of the success net and of the dynamics net for a scene, `[1, 5, 64, 64]`.
+    /// Returns the input of the success net and of the dynamics net for a scene, `[1, 5, 64, 64]`.
     fn encode_coverage(&self, scene: &Scene) -> Tensor<4> {
         self.image(scene_coverage(scene).iter().flat_map(Coverage::to_f32).collect())
     }
@@ -181,7 +182,7 @@ fn values<const D: usize>(tensor: Tensor<D>) -> Vec<f32> {
 pub struct Imagined {
     /// Where the green object goes without an action.
     pub base: Vec<f32>,
-    /// Where it goes in a solution.
+    /// Where the green object goes in a solution.
     pub target: Vec<f32>,
     /// Where the action ball goes in a solution.
     pub action: Vec<f32>,
@@ -190,7 +191,7 @@ pub struct Imagined {
 }
 
 impl Imagined {
-    /// Returns a map of the paper's nets; `None` for the others.
+    /// Returns a map of the paper's nets; `None` for any other map.
     pub fn map(&self, map: ImaginedMap) -> Option<&[f32]> {
         match map {
             ImaginedMap::Base => Some(&self.base),
@@ -207,7 +208,7 @@ fn flex() -> Device {
     Device::flex()
 }
 
-/// Returns that device with its random numbers seeded.
+/// Returns that device with a seeded random number generator.
 fn seeded(seed: u64) -> Device {
     let device = flex();
     device.seed(seed);

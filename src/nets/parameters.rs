@@ -1,6 +1,6 @@
 //! The parameters of nets as plain numbers, by name: the path of each in its net, for example `base.down.0.weight`.
 //!
-//! For files of weights, and for other engines that run the same nets.
+//! Used for weights files, and by other engines that run the same nets.
 
 use std::collections::BTreeMap;
 
@@ -12,14 +12,14 @@ use super::PathNet;
 /// A tensor of weights or biases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its dimensions, the outermost first.
+    /// The dimensions, outermost first.
     pub shape: Vec<usize>,
-    /// Row-major.
+    /// The values, row-major.
     pub values: Vec<f32>,
 }
 
 impl PathNet {
-    /// Returns all parameters, by the names that they have in weights files.
+    /// Returns all parameters by their names in weights files.
     pub fn parameters(&self) -> BTreeMap<String, Parameter> {
         parameters(self)
     }

@@ -1,21 +1,23 @@
-//! Rounds weights so that they compress: `pathlight-lab publish weights` uses this on what the page downloads.
+//! Rounds weights so that they compress: `pathlight-lab publish weights` applies this to the weights that the page
+//! downloads.
 //!
 //! Every weight becomes a multiple of its tensor's step, a power of two that depends on the standard deviation of the
 //! tensor. Half precision holds such multiples exactly, and nearly all of them fit into a byte (`stored`). The bits
-//! that carry only noise are gone, so brotli shrinks the file too. A uniform step costs the least accuracy for the
-//! entropy it saves: fewer bits of mantissa would keep small weights needlessly precise, and one range for a whole
-//! channel is set by its largest weight, some ten standard deviations.
+//! that carry only noise are gone, so brotli also shrinks the file. A uniform step costs the least accuracy for the
+//! entropy that it saves: fewer bits of mantissa would keep small weights needlessly precise, and the range of a whole
+//! channel would be set by its largest weight, some ten standard deviations.
 
 use burn::module::{Module, ModuleMapper, Param};
 use burn::tensor::{Tensor, TensorData};
 
 use super::PathNet;
 
-/// Steps in a standard deviation, within a factor of the square root of two, as a power of two.
+/// Binary logarithm of the number of steps per standard deviation, which is met within a factor of the square root of
+/// two.
 const STEPS_PER_DEVIATION: i32 = 5;
 
 impl PathNet {
-    /// Returns the nets with rounded weights. Biases, which are few, stay.
+    /// Returns the nets with rounded weights. Biases, which are few, are unchanged.
     pub fn rounded(self) -> PathNet {
         self.map(&mut Rounding)
     }
@@ -38,11 +40,11 @@ impl ModuleMapper for Rounding {
     }
 }
 
-/// Rounds the weights of a tensor. Weights that are all alike, or not finite, have no such step and stay.
+/// Rounds the weights of a tensor. Weights that are all equal or not finite have no such step and are unchanged.
 fn round(weights: &mut [f32]) {
     let step = step(weights);
     if step.is_normal() {
-        // The sum has no negative zero, which is no multiple of a step.
+        // Adding 0.0 removes negative zero, which is not a multiple of a step.
         weights.iter_mut().for_each(|weight| *weight = (*weight / step).round_ties_even() * step + 0.0);
     }
 }
@@ -65,7 +67,7 @@ mod tests {
         let weights: Vec<f32> = (-500..=500_i16).map(|index| f32::from(index) / 4000.0).collect();
         let mut rounded = weights.clone();
         round(&mut rounded);
-        // They spread evenly up to 1/8, with a deviation of 0.072, which is nearest to 1/16.
+        // The weights spread evenly up to 1/8, with a standard deviation of 0.072, which is nearest to 1/16.
         let step = 1.0 / 16.0 / 32.0;
         assert_eq!(super::step(&weights), step);
         for (weight, rounded) in weights.iter().zip(&rounded) {

@@ -1,8 +1,9 @@
-//! How a parameter lies in a weights file: in half precision, or in one byte per value if all values are multiples of
-//! one step, as `rounding` makes them. Either way a file holds exactly the same numbers.
+//! Storage of a parameter in a weights file: in half precision, or in one byte per value if all values are multiples of
+//! one step, as produced by `rounding`. Both forms hold exactly the same numbers.
 //!
 //! `NAME` holds the multiples, of type I8, and `NAME.step` the step, F32 `[1]`. A multiple that needs more than a byte
-//! is 0 there; `NAME.outliers`, I16 `[count]`, holds those, and `NAME.outliers.at`, U32 `[count]`, their indices.
+//! is 0 there; `NAME.outliers`, I16 `[count]`, holds those multiples, and `NAME.outliers.at`, U32 `[count]`, their
+//! indices.
 
 use half::f16;
 use safetensors::View;
@@ -36,7 +37,7 @@ impl View for Stored {
     }
 }
 
-/// Returns the tensors that hold a parameter, by name.
+/// Returns the tensors that store a parameter, by name.
 pub(crate) fn stored(name: &str, shape: Vec<usize>, values: &[f16]) -> Vec<(String, Stored)> {
     match multiples(values) {
         Some(Multiples { step, small, outliers }) => {
@@ -62,7 +63,7 @@ pub(crate) fn stored(name: &str, shape: Vec<usize>, values: &[f16]) -> Vec<(Stri
     }
 }
 
-/// Reads the parameter of this name and shape, and returns its values and the number of tensors that hold it.
+/// Reads the parameter of this name and shape. Returns its values and the number of tensors that store it.
 pub(crate) fn read(file: &SafeTensors, name: &str, shape: &[usize]) -> Result<(Vec<f32>, usize), WeightsError> {
     let view = file.tensor(name).map_err(|_| WeightsError::Missing(name.to_string()))?;
     let (values, tensors) = match view.dtype() {
@@ -106,7 +107,7 @@ fn read_multiples(file: &SafeTensors, name: &str, bytes: &[u8]) -> Result<(Vec<f
     Ok((values, 4))
 }
 
-/// The bytes of a tensor that has this shape and type.
+/// Returns the bytes of a tensor, which must have this shape and type.
 fn data<'a>(view: &TensorView<'a>, name: &str, shape: &[usize], dtype: Dtype) -> Result<&'a [u8], WeightsError> {
     if view.dtype() == dtype && view.shape() == shape {
         return Ok(view.data());
@@ -138,10 +139,10 @@ struct Multiples {
     outliers: Vec<(u32, i16)>,
 }
 
-/// Returns values as multiples of the largest power of two that divides them all; `None` if they take less room in half
-/// precision, if a multiple does not fit into two bytes, or if one is a negative zero, which is no multiple.
+/// Returns values as multiples of the largest power of two that divides them all; `None` if they need less space in
+/// half precision, if a multiple does not fit into two bytes, or if a value is negative zero, which is not a multiple.
 fn multiples(values: &[f16]) -> Option<Multiples> {
-    /// What the names and shapes of three more tensors take in the header, bytes.
+    /// Header space for the names and shapes of three more tensors, bytes.
     const HEADER: usize = 300;
     let exponents = values.iter().filter(|value| value.to_f32() != 0.0).map(|value| lowest_exponent(value.to_f32()));
     let step = libm::ldexpf(1.0, exponents.min()?);
@@ -151,7 +152,7 @@ fn multiples(values: &[f16]) -> Option<Multiples> {
         if value.to_bits() == f16::NEG_ZERO.to_bits() {
             return None;
         }
-        // Exact: half precision has 40 binary digits at most, and one number of it eleven of them.
+        // Exact: half precision spans at most 40 binary digits, of which a number uses eleven.
         let multiple = value.to_f32() / step;
         if multiple.abs() <= f32::from(i8::MAX) {
             small.push(multiple as i8);
@@ -167,7 +168,7 @@ fn multiples(values: &[f16]) -> Option<Multiples> {
     (bytes < size_of_val(values)).then_some(Multiples { step, small, outliers })
 }
 
-/// The exponent of the lowest set bit of a normal number.
+/// Returns the exponent of the lowest set bit of a normal number.
 fn lowest_exponent(value: f32) -> i32 {
     let bits = value.to_bits();
     let significand = bits & 0x7f_ffff | 0x80_0000;

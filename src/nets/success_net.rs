@@ -1,7 +1,7 @@
-//! The success net: scores every action at once by how likely a ball of any radius at any place solves the scene.
+//! The success net: scores all actions at once by how likely a ball of any radius at any position solves the scene.
 //!
-//! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome.
-//! The paper has no such net. Agents that order balls by it need fewer attempts.
+//! It is a U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls and their
+//! outcomes. The paper has no such net. Agents that rank balls by it need fewer attempts.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
@@ -12,7 +12,7 @@ use crate::puzzle::action::{Ball, Invalid, RADIUS};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{self, CELLS, SIDE};
 
-/// Radii that the success net has a map for, evenly spaced from the smallest to the largest.
+/// Number of radii with a map, evenly spaced from the smallest to the largest.
 pub const RADII: usize = 8;
 
 /// A net from the covered shares of a scene's cells to `RADII` maps of logits.
@@ -33,7 +33,7 @@ impl SuccessNet {
         SuccessNet { down, up }
     }
 
-    /// `[batch, 5, 64, 64]` in, logits `[batch, RADII, 64, 64]` out.
+    /// Returns the logits `[batch, RADII, 64, 64]` of scenes `[batch, 5, 64, 64]`.
     pub fn forward(&self, scene: Tensor<4>) -> Tensor<4> {
         u_net::forward(&self.down, &self.up, scene).last
     }
@@ -42,7 +42,7 @@ impl SuccessNet {
 /// Returns the index of the logit that scores a ball, among the values of `[RADII, 64, 64]` logits.
 ///
 /// # Errors
-/// If no logit does: the radius is not in `RADIUS`, or the centre is outside the scene.
+/// If no logit scores the ball: the radius is not in `RADIUS`, or the centre is outside the scene.
 pub fn logit_index(ball: Ball) -> Result<usize, Invalid> {
     if !RADIUS.contains(&ball.r) {
         return Err(Invalid::Radius);
@@ -56,8 +56,8 @@ pub fn logit_index(ball: Ball) -> Result<usize, Invalid> {
     Ok(radius * CELLS + cell(ball.y) * SIDE + cell(ball.x))
 }
 
-/// Returns the ball that a logit of `[RADII, 64, 64]` scores: the centre of its cell, and the radius of its map. The
-/// inverse of `logit_index` on these balls.
+/// Returns the ball that is scored by a logit among `[RADII, 64, 64]`: the centre of its cell, and the radius of its
+/// map. The inverse of `logit_index` on these balls.
 pub fn ball_at(index: usize) -> Ball {
     let [x, y] = raster::cell_centre(index % CELLS);
     let fraction = (index / CELLS) as f64 / (RADII - 1) as f64;
@@ -86,7 +86,7 @@ mod tests {
         }
     }
 
-    /// A radius of 64 px would otherwise have the index of a logit of another scene of the batch.
+    /// Otherwise a radius of 64 px would have the index of a logit of another scene in the batch.
     #[test]
     fn a_ball_that_no_logit_scores_is_refused() {
         let ball = Ball { x: 100.0, y: 100.0, r: 10.0 };

@@ -1,7 +1,7 @@
-//! A U-Net (Ronneberger et al. 2015): an encoder-decoder in which the decoder layer of each size also sees the
-//! encoder's output of that size, so that its maps are as sharp as the scene. The success net and the dynamics net are
-//! the same U-Net but for their outputs; its layers stay fields of theirs, because the names of the parameters are
-//! those in weights files.
+//! A U-Net (Ronneberger et al. 2015): an encoder-decoder in which each decoder layer also receives the encoder's output
+//! of the same size, so that its maps are as sharp as the scene. The success net and the dynamics net are the same
+//! U-Net except for their outputs. Its layers are fields of those nets, because the names of the parameters are those
+//! in weights files.
 
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
@@ -14,32 +14,33 @@ pub(crate) const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
 
 const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
-/// Returns fresh layers: the convolutions, and the transposed ones that mirror them, the last of which has `outputs`
-/// channels.
+/// Returns fresh layers: the convolutions, and the transposed convolutions that mirror them, the last of which has
+/// `outputs` channels.
 pub(crate) fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTranspose2d>) {
     let down = (0..WIDTHS.len()).map(|layer| {
         let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
         new_conv_down(input, WIDTHS[layer], 4, device)
     });
     let up = (0..WIDTHS.len()).rev().map(|layer| {
-        // All but the innermost see the layer before and, over the skip connection, the encoder's output.
+        // All layers except the innermost receive the previous layer and, over the skip connection, the encoder's
+        // output.
         let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
         new_conv_up(input, if layer == 0 { outputs } else { WIDTHS[layer - 1] }, 4, device)
     });
     (down.collect(), up.collect())
 }
 
-/// What a U-Net makes of images.
+/// The results of a U-Net.
 pub(crate) struct Activations {
     /// The output of the last layer, without ReLU, `[batch, outputs, 64, 64]`.
     pub last: Tensor<4>,
-    /// What the decoder's layers see, both the layer before and the encoder's output, coarsest first.
+    /// The inputs of the decoder's layers, both the previous layer and the encoder's output, coarsest first.
     pub skipped: Vec<Tensor<4>>,
     /// The innermost output of the encoder.
     pub code: Tensor<4>,
 }
 
-/// `[batch, 5, 64, 64]` in.
+/// Applies the U-Net to images `[batch, 5, 64, 64]`.
 pub(crate) fn forward(down: &[Conv2d], up: &[ConvTranspose2d], images: Tensor<4>) -> Activations {
     let mut encoded = Vec::with_capacity(down.len());
     let mut x = images;

@@ -1,10 +1,11 @@
-//! Weights files: safetensors in half precision or in one byte per weight (`stored`), whose metadata is a card with the
-//! settings of the training.
+//! Weights files: safetensors in half precision or in one byte per weight (`stored`), with a card of the training
+//! settings in the metadata.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
-//! fit is refused with the name of the tensor. Does no file or network I/O.
-//! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
-//! and accepts any type of number; here a file that a person names has to fit exactly.
+//! fit is refused, and the error names the tensor. Does no file or network I/O.
+//!
+//! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without checking the range,
+//! and accepts any type of number. Here, a file must fit exactly.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -32,7 +33,7 @@ pub enum WeightsError {
     NotSafetensors(safetensors::SafeTensorError),
     #[error("the file does not record how it was trained: train weights with `pathlight-lab train`")]
     NoCard,
-    #[error("the card of the weights cannot be read ({0}): they belong to other nets, or have to be trained again")]
+    #[error("the card of the weights cannot be read ({0}): they belong to other nets, or must be trained again")]
     BadCard(serde_json::Error),
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
@@ -46,12 +47,12 @@ pub enum WeightsError {
     #[error("`{name}` names the value {index}, which does not exist: download or train the weights again")]
     Outlier { name: String, index: u32 },
     #[error(
-        "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight-lab train dynamics`"
+        "the dynamics net of the weights learned from set cells, but its input is now the covered shares of cells: train it again with `pathlight-lab train dynamics`"
     )]
     SetCells,
     #[error("`{0}` holds a number that is not finite: download or train the weights again")]
     NotFinite(String),
-    #[error("the weights have {0} tensors that the nets lack: they belong to other nets")]
+    #[error("the weights have {0} unknown tensors: they belong to other nets")]
     Extra(usize),
     #[error(
         "`{name}` holds {value}, which half precision cannot represent: the training diverged, repeat it with a lower learning rate"
@@ -120,7 +121,7 @@ fn load<M: Module>(nets: M, file: &SafeTensors, device: &Device) -> Result<M, We
     }
 }
 
-/// The bytes of a file of these nets.
+/// Returns the bytes of a file of these nets.
 fn save(nets: &impl Module, card: &impl Serialize) -> Result<Vec<u8>, WeightsError> {
     let mut tensors = BTreeMap::new();
     for (name, Parameter { shape, values }) in parameters(nets) {
@@ -143,7 +144,7 @@ pub fn read_card(bytes: &[u8]) -> Result<Card, WeightsError> {
     card_of(bytes)
 }
 
-/// The card of a file, for the nets that it should belong to.
+/// Returns the card of a file, for the nets that it should belong to.
 fn card_of<C: DeserializeOwned>(bytes: &[u8]) -> Result<C, WeightsError> {
     let (_, header) = SafeTensors::read_metadata(bytes).map_err(WeightsError::NotSafetensors)?;
     let card = header.metadata().as_ref().and_then(|metadata| metadata.get(CARD)).ok_or(WeightsError::NoCard)?;
@@ -155,13 +156,13 @@ struct Loader<'a> {
     file: &'a SafeTensors<'a>,
     device: &'a Device,
     path: Vec<String>,
-    /// Tensors of the file.
+    /// Number of tensors of the file that were loaded.
     loaded: usize,
     error: Option<WeightsError>,
 }
 
 impl Loader<'_> {
-    /// The values of the current parameter.
+    /// Returns the values of the current parameter.
     fn read(&mut self, shape: &[usize]) -> Result<Vec<f32>, WeightsError> {
         let name = self.path.join(".");
         let (values, tensors) = read(self.file, &name, shape)?;
@@ -180,7 +181,7 @@ impl ModuleMapper for Loader<'_> {
     }
 
     fn map_float<const D: usize>(&mut self, param: Param<Tensor<D>>) -> Param<Tensor<D>> {
-        // Asking for its value would initialise the parameter at random first.
+        // Reading its value would first initialise the parameter at random.
         let shape = param.lazy_shape();
         match self.read(&shape) {
             Ok(values) => {

@@ -1,8 +1,8 @@
-//! Actions: three numbers in 0..=1 that place the red ball, and the one rule that decides whether it is valid.
+//! Actions: three numbers in 0..=1 that place the red ball, and the one rule that decides whether the ball is valid.
 //!
 //! The page, the wasm exports and the commands all use this rule, so that a ball is valid in all of them or in none.
-//! Only valid balls count as attempts. The mapping and the rule are PHYRE's (v0.2.2, ball tier). Code that checks
-//! many balls in one scene prepares its `Obstacles` once.
+//! Only valid balls count as attempts. The mapping and the rule are PHYRE's (v0.2.2, ball tier). Code that checks many
+//! balls in one scene prepares its `Obstacles` once.
 
 use std::fmt;
 
@@ -14,7 +14,7 @@ use crate::puzzle::scene_form::FormFault;
 /// Smallest and largest radius of the action ball, px.
 pub const RADIUS: std::ops::RangeInclusive<f64> = 2.0..=32.0;
 
-/// Two bodies overlap if they are nearer than touching by more than this, px (PHYRE).
+/// Two bodies overlap if they are closer than touching by more than this, px (PHYRE).
 const TOLERANCE: f64 = 1e-5;
 
 /// Margin around a bounding box, px: more than the rounding errors of distances in a scene.
@@ -24,9 +24,9 @@ const MARGIN: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "[f64; 3]", from = "[f64; 3]")]
 pub struct Action {
-    /// From the left of the scene to its right.
+    /// From the left edge of the scene to the right.
     pub x: f64,
-    /// From the bottom to the top.
+    /// From the bottom edge to the top.
     pub y: f64,
     /// From the smallest radius to the largest.
     pub r: f64,
@@ -36,15 +36,15 @@ pub struct Action {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "[f64; 3]", from = "[f64; 3]")]
 pub struct Ball {
-    /// Of the centre, px from the left.
+    /// x of the centre, px from the left.
     pub x: f64,
-    /// Of the centre, px from the bottom.
+    /// y of the centre, px from the bottom.
     pub y: f64,
     /// The radius, px.
     pub r: f64,
 }
 
-/// Why an action or a ball is invalid, or the scene cannot be simulated with any.
+/// Why an action or a ball is invalid, or why a scene cannot be simulated at all.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs, reason = "the messages say it")]
 pub enum Invalid {
@@ -70,9 +70,10 @@ impl Action {
         Obstacles::new(scene).place(self)
     }
 
-    /// Checks that the numbers are in 0..=1 and that the ball, before it is rounded, is inside the scene.
+    /// Checks that the numbers are in 0..=1 and that the ball, before rounding, is inside the scene.
     ///
     /// # Errors
+    ///
     /// The reason why the action is invalid in every scene.
     pub fn check_bounds(self) -> Result<(), Invalid> {
         if ![self.x, self.y, self.r].iter().all(|value| (0.0..=1.0).contains(value)) {
@@ -89,17 +90,19 @@ impl Action {
 }
 
 impl Ball {
-    /// Checks that this ball is valid in a scene: inside it, and overlapping no body.
+    /// Checks that this ball is valid in a scene: it is inside and overlaps no body.
     ///
     /// # Errors
+    ///
     /// The reason why it is invalid.
     pub fn check(&self, scene: &Scene) -> Result<(), Invalid> {
         Obstacles::new(scene).check(self)
     }
 
-    /// Checks the radius of this ball, and that it is inside the scene; it may overlap bodies.
+    /// Checks that this ball has a valid radius and is inside the scene; it may overlap bodies.
     ///
     /// # Errors
+    ///
     /// The reason why it is invalid.
     pub fn check_bounds(&self) -> Result<(), Invalid> {
         if !RADIUS.contains(&self.r) {
@@ -109,7 +112,7 @@ impl Ball {
     }
 
     /// Returns this ball with PHYRE's rounding: the centre truncated, the radius rounded half to even. Does not check
-    /// that it is valid.
+    /// whether it is valid.
     pub fn rounded(&self) -> Ball {
         Ball { x: self.x.trunc(), y: self.y.trunc(), r: self.r.round_ties_even() }
     }
@@ -135,8 +138,8 @@ impl Ball {
     }
 }
 
-/// The shapes of a scene that a ball may not overlap, prepared once so that many balls can be checked quickly. None by
-/// default.
+/// The shapes of a scene that a ball must not overlap, prepared once so that many balls can be checked quickly. Empty
+/// by default.
 #[derive(Default)]
 pub struct Obstacles(Vec<Obstacle>);
 
@@ -160,13 +163,13 @@ enum Outline {
 
 struct Edge {
     start: [f64; 2],
-    /// From its start to its end.
+    /// From the start of the edge to its end.
     vector: [f64; 2],
     squared_length: f64,
 }
 
 impl Obstacles {
-    /// Returns the obstacles of a scene. The walls are not among them: a ball inside the scene cannot overlap them.
+    /// Returns the obstacles of a scene. They do not include the walls, which a ball inside the scene cannot overlap.
     pub fn new(scene: &Scene) -> Obstacles {
         let bodies = scene.bodies.iter().enumerate();
         Obstacles(
@@ -201,13 +204,14 @@ impl Obstacles {
     }
 
     /// Returns the clearance of a point: its distance to the nearest obstacle, or `limit` if that is smaller, px. It is
-    /// not positive in an obstacle. One clearance decides about the balls of all radii up to `limit`: see `overlaps`.
+    /// not positive inside an obstacle. One clearance decides the validity of balls of all radii up to `limit`: see
+    /// `overlaps`.
     pub fn clearance(&self, point: [f64; 2], limit: f64) -> f64 {
         self.0.iter().fold(limit, |nearest, obstacle| obstacle.clearance(point, nearest))
     }
 }
 
-/// Whether a ball of this radius overlaps an obstacle if the clearance of its centre is this, px. Touching is not
+/// Returns whether a ball of this radius overlaps an obstacle, given the clearance of its centre. Touching is not
 /// overlapping.
 pub fn overlaps(clearance: f64, radius: f64) -> bool {
     clearance + TOLERANCE < radius
@@ -237,9 +241,9 @@ impl Obstacle {
         Obstacle { body: body_index, lowest, highest, outline }
     }
 
-    /// The distance from a point, or `limit` if that is smaller, px; not positive inside.
+    /// Returns the distance from a point, or `limit` if that is smaller, px; not positive inside.
     fn clearance(&self, point @ [x, y]: [f64; 2], limit: f64) -> f64 {
-        // The bounding box is nowhere farther away than what it bounds, even by rounding.
+        // The bounding box is never farther away than its shape, even by rounding.
         let beyond =
             |axis: usize| self.lowest[axis] - point[axis] >= limit || point[axis] - self.highest[axis] >= limit;
         if beyond(0) || beyond(1) {

@@ -1,7 +1,7 @@
-//! The four shapes of bodies with what a person changes of them: the radius of a ball, the length of a bar, the height
-//! of a jar.
+//! The four shapes of bodies and their adjustable lengths: the radius of a ball, the length and thickness of a bar, the
+//! height of a jar, the length of standing sticks.
 //!
-//! `layout` lays templates out with them, `custom_scene` the scenes that people make. Depends on `scene` only. The
+//! Used by `layout` for templates and by `custom_scene` for the scenes that people make. Depends on `scene` only. The
 //! formulas are PHYRE's (v0.2.2, `creator`).
 
 use std::ops::RangeInclusive;
@@ -13,27 +13,27 @@ use super::scene::{Body, SIZE, Shape, ShapeType, rectangle};
 /// Thickness of the benchmark's bars, px; also scales the walls of a jar and the sticks.
 pub const THICKNESS: f64 = 5.12;
 
-/// Radii of the balls that custom scenes may have, px.
+/// Allowed radii of balls in custom scenes, px.
 pub const BALL_RADIUS: RangeInclusive<f64> = 2.0..=64.0;
-/// Lengths of bars, px. Static ones may stick out of the scene.
+/// Allowed lengths of bars, px. Static bars may stick out of the scene.
 pub const BAR_LENGTH: RangeInclusive<f64> = 2.0..=512.0;
-/// px
+/// Allowed thicknesses of bars, px.
 pub const BAR_THICKNESS: RangeInclusive<f64> = 2.0..=256.0;
-/// px
+/// Allowed heights of jars, px.
 pub const JAR_HEIGHT: RangeInclusive<f64> = 10.0..=200.0;
-/// Of each stick, px.
+/// Allowed lengths of each of the two sticks, px.
 pub const STICK_LENGTH: RangeInclusive<f64> = 8.0..=200.0;
 
-/// How far standing sticks lean from the horizontal, degrees.
+/// Angle of standing sticks from the horizontal, degrees.
 pub const STICK_LEAN: f64 = 77.5;
 /// Half the thickness of a stick, px.
 pub const HALF_STICK: f64 = THICKNESS / 3.0;
-/// Height of a jar in widths of its rim.
+/// Height of a jar, in multiples of the width of its rim.
 pub const JAR_HEIGHT_PER_WIDTH: f64 = 1.2;
-/// Width of a jar's base in widths of its rim.
+/// Width of a jar's base, in multiples of the width of its rim.
 pub const JAR_BASE: f64 = 0.8;
 
-/// How far rounding moves an estimate of a length, units in the last place.
+/// Maximum rounding error of an estimated length, units in the last place.
 const ROUNDING: usize = 16;
 
 /// A kind of shape with its lengths, px. Its JSON is the key `shape` with a key for each length.
@@ -43,29 +43,29 @@ const ROUNDING: usize = 16;
 pub enum Dimensions {
     /// A circle. The origin is its centre.
     Ball {
-        /// px
+        /// Radius, px.
         #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = *BALL_RADIUS.start(), max = *BALL_RADIUS.end())))]
         radius: f64,
     },
     /// A rectangle. The origin is its centre, and its length lies along x at angle 0.
     Bar {
-        /// px
+        /// Length, px.
         #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = *BAR_LENGTH.start(), max = *BAR_LENGTH.end())))]
         length: f64,
-        /// px
+        /// Thickness, px.
         #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = *BAR_THICKNESS.start(), max = *BAR_THICKNESS.end())))]
         thickness: f64,
     },
-    /// A base and two walls that lean outwards; 5/6 of the height wide at the rim. The origin is the middle of the
-    /// base.
+    /// A base and two walls that lean outwards. At the rim its width is 5/6 of the height. The origin is the middle of
+    /// the base.
     Jar {
-        /// px
+        /// Height, px.
         #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = *JAR_HEIGHT.start(), max = *JAR_HEIGHT.end())))]
         height: f64,
     },
-    /// Two crossed sticks that lean 12.5 degrees from upright. The origin is where they cross.
+    /// Two crossed sticks that lean 12.5 degrees from the vertical. The origin is where they cross.
     StandingSticks {
-        /// Of each stick, px.
+        /// Length of each stick, px.
         #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = *STICK_LENGTH.start(), max = *STICK_LENGTH.end())))]
         length: f64,
     },
@@ -92,7 +92,7 @@ impl Dimensions {
         }
     }
 
-    /// Returns its lengths: the key of each, its value and the values that custom scenes may have, px.
+    /// Returns the lengths: the key of each, its value, and the values allowed in custom scenes, px.
     pub fn lengths(self) -> Vec<(&'static str, f64, RangeInclusive<f64>)> {
         match self {
             Dimensions::Ball { radius } => vec![("radius", radius, BALL_RADIUS)],
@@ -104,8 +104,8 @@ impl Dimensions {
         }
     }
 
-    /// Returns the dimensions that have exactly the shapes of a body; `None` if none do, as those of a body from
-    /// elsewhere.
+    /// Returns the dimensions that have exactly the shapes of a body; `None` if there are none, as for a body from
+    /// another program.
     pub fn of(body: &Body) -> Option<Dimensions> {
         let has_its_shapes = |dimensions: &Dimensions| dimensions.shapes() == body.shapes;
         match (body.shape_type, body.shapes.as_slice()) {

@@ -1,9 +1,9 @@
 //! The language in which templates are written: a builder for bodies and scenes.
 //!
 //! A template makes bodies (`static_body` or `dynamic_body`; ball, bar, jar, standing sticks), rotates them, and aligns
-//! an edge of each, often with an edge of another body. Each method acts immediately, on the bounding box of the body
-//! as it is then. The template then marks the object and the goal and closes the scene with `scene`. Used only by
-//! `templates`; must not depend on parameters or tasks. The formulas are PHYRE's (v0.2.2, `creator`).
+//! an edge of each, often with an edge of another body. Each method acts immediately, on the body's current bounding
+//! box. The template then marks the object and the goal and builds the scene with `scene`. Used only by `templates`;
+//! must not depend on parameters or tasks. The formulas are PHYRE's (v0.2.2, `creator`).
 
 use crate::puzzle::dimensions::{Dimensions, THICKNESS, radians};
 use crate::puzzle::scene::{Body, Role, SIZE, Scene};
@@ -34,7 +34,7 @@ impl ScaledShape {
     }
 }
 
-/// A body under construction. Every method acts immediately, on the body as it is then.
+/// A body under construction. Every method acts immediately on its current state.
 #[derive(Clone, Debug)]
 pub struct BodyBuilder(Body);
 
@@ -55,13 +55,13 @@ fn body(shape: ScaledShape, dynamic: bool, role: Role) -> BodyBuilder {
 }
 
 impl BodyBuilder {
-    /// Marks the body that has to touch the goal: body1.
+    /// Marks the body that must touch the goal: body1.
     pub fn object(mut self) -> Self {
         self.0.role = Role::Green;
         self
     }
 
-    /// Marks the body that the object has to touch: body2.
+    /// Marks the body that the object must touch: body2.
     pub fn goal(mut self) -> Self {
         self.0.role = if self.0.dynamic { Role::Blue } else { Role::Purple };
         self
@@ -73,37 +73,37 @@ impl BodyBuilder {
         self
     }
 
-    /// Moves the origin here, px.
+    /// Moves the origin to this position, px.
     pub fn at(mut self, x: f64, y: f64) -> Self {
         (self.0.x, self.0.y) = (x, y);
         self
     }
 
-    /// Moves the body sideways by this much, px.
+    /// Moves the body sideways by this distance, px.
     pub fn shifted(mut self, by: f64) -> Self {
         self.0.x += by;
         self
     }
 
-    /// Moves the left edge here, px.
+    /// Moves the left edge to this x, px.
     pub fn at_left(mut self, edge: f64) -> Self {
         self.0.x += edge - self.left();
         self
     }
 
-    /// Moves the right edge here, px.
+    /// Moves the right edge to this x, px.
     pub fn at_right(mut self, edge: f64) -> Self {
         self.0.x += edge - self.right();
         self
     }
 
-    /// Moves the upper edge here, px.
+    /// Moves the upper edge to this y, px.
     pub fn at_top(mut self, edge: f64) -> Self {
         self.0.y += edge - self.top();
         self
     }
 
-    /// Moves the lower edge here, px.
+    /// Moves the lower edge to this y, px.
     pub fn at_bottom(mut self, edge: f64) -> Self {
         self.0.y += edge - self.bottom();
         self

@@ -1,6 +1,6 @@
-//! The benchmark's puzzles as plain data: scenes, actions and when they are valid, rollouts, templates and their tasks.
+//! The benchmark's puzzles as plain data: scenes, actions and their validity, rollouts, templates and their tasks.
 //!
-//! Every other folder uses this one; it uses none of them.
+//! Every other folder uses this one, and it uses none of them.
 
 pub mod action;
 pub mod custom_scene;

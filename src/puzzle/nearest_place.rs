@@ -1,9 +1,9 @@
-//! Where a ball that is invalid can go instead.
+//! Finds a valid place for an invalid ball.
 
 use super::action::{Ball, Obstacles};
 
-/// Returns the nearest valid ball of the same radius whose centre is at whole px and at most `reach` px away: the ball
-/// itself if it is one, and `None` if there is none.
+/// Returns the nearest valid ball of the same radius whose centre is at whole px and at most `reach` px away. This is
+/// the ball itself if it qualifies, and `None` if no ball does.
 pub fn nearest_place(ball: Ball, obstacles: &Obstacles, reach: f64) -> Option<Ball> {
     let span = |centre: f64| (centre - reach).ceil() as i64..=(centre + reach).floor() as i64;
     let squared_distance = |place: &Ball| {

@@ -1,8 +1,7 @@
 //! NumPy's legacy `RandomState`, from which PHYRE draws the pegs of templates 00012 and 00013, and its list of actions.
 //!
-//! NumPy wraps the 32-bit Mersenne Twister MT19937 and converts its words to numbers in its own way; both must agree
-//! to the bit, because the positions of pegs and balls depend on them. The expected values in the tests were drawn by
-//! NumPy.
+//! NumPy wraps the 32-bit Mersenne Twister MT19937 and has its own conversion from words to numbers. Both must agree to
+//! the bit, because the positions of pegs and balls depend on them. The expected values in the tests come from NumPy.
 
 use rand_mt::Mt;
 

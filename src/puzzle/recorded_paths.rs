@@ -1,5 +1,5 @@
-//! The paths of the green object and of the action ball as one program tells them to another: their poses at every
-//! tenth step, from the start.
+//! The paths of the green object and of the action ball, as programs exchange them: their poses at every tenth step,
+//! from the start.
 //!
 //! `simulate` writes them, and agents observe them. Agents compare `SampledPaths`; `sampled` returns those of a
 //! recording.
@@ -13,17 +13,17 @@ use super::scene::Scene;
 /// Steps between two poses.
 pub const STRIDE: usize = 10;
 
-/// Poses after 0, 10, 20 … steps, px and radians. A recording that is shorter than a rollout stays where it ends.
+/// Poses after 0, 10, 20 … steps, px and radians. After the end of a recording, the bodies are taken to stay in place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RecordedPaths {
-    /// Of the green object.
+    /// The poses of the green object.
     pub object: Vec<Pose>,
-    /// Of the action ball.
+    /// The poses of the action ball.
     pub ball: Vec<Pose>,
 }
 
 impl RecordedPaths {
-    /// The most poses of a body.
+    /// Maximum number of poses of a body.
     pub const MOST: usize = MAX_STEPS / STRIDE + 1;
 
     /// Returns the paths through a rollout of this scene; `None` if it has no action ball, or the green
@@ -35,8 +35,8 @@ impl RecordedPaths {
         Some(RecordedPaths { object: path(scene.body1)?, ball: path(scene.bodies.len())? })
     }
 
-    /// Returns the positions at `SAMPLED_STEPS`, interpolated between two poses; `None` if there are no poses, or
-    /// numbers that are no positions.
+    /// Returns the positions at `SAMPLED_STEPS`, interpolated between poses; `None` if there are no poses, or if
+    /// numbers are not valid positions.
     pub fn sampled(&self) -> Option<SampledPaths> {
         Some(SampledPaths { object: sampled(&self.object)?, ball: sampled(&self.ball)? })
     }

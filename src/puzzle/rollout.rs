@@ -1,7 +1,7 @@
 //! The result of a simulation as plain data: whether it solved the task, and the pose of every dynamic body at every
 //! step.
 //!
-//! Made by `simulator`; played back by the page, drawn by `raster`, summarised by `session::ending`.
+//! Produced by `simulator`, played back by the page, drawn by `raster`, summarised by `session::ending`.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +20,7 @@ pub const MAX_STEPS: usize = 1000;
 pub enum Status {
     /// The object touched the goal for three seconds.
     Solved,
-    /// It did not, within `MAX_STEPS`.
+    /// The object did not, within `MAX_STEPS`.
     NotSolved,
     /// The action is invalid; nothing was simulated.
     Invalid,
@@ -46,7 +46,7 @@ pub struct Rollout {
 }
 
 impl Rollout {
-    /// Returns whether it solves.
+    /// Returns the status of the rollout.
     pub fn status(&self) -> Status {
         if self.solved { Status::Solved } else { Status::NotSolved }
     }
@@ -63,8 +63,8 @@ impl Rollout {
         Some(self.row(step)[column])
     }
 
-    /// Returns the step from which nothing changes until the end: no pose, and not for how long the object has touched.
-    /// It is the last step of a rollout that ends with a touch.
+    /// Returns the step from which nothing changes until the end: neither a pose nor the duration of the touch. For a
+    /// rollout that ends with a touch, this is the last step.
     pub fn still_from(&self) -> usize {
         if self.touching[self.steps] {
             return self.steps;

@@ -1,23 +1,24 @@
-//! The paths of the green object and of the action ball through a rollout, sampled at a few steps: what the dynamics
-//! net learns to imagine, and what agents compare.
+//! The paths of the green object and of the action ball through a rollout, sampled at a few steps. The dynamics net
+//! learns to imagine them, and agents compare them.
 //!
-//! Positions only, of the bodies' origins. The steps lie closer together at the start, where most of the motion is.
+//! They contain only positions, of the bodies' origins. The steps are closer together at the start, where most of the
+//! motion is.
 
 use serde::{Deserialize, Serialize};
 
 use super::rollout::Rollout;
 
-/// The steps at which positions are kept. A rollout that ends earlier, because it solved, stays where it ended.
+/// The sampled steps. A rollout that ends earlier, because it solved, keeps its last positions.
 pub const SAMPLED_STEPS: [usize; SAMPLES] =
     [15, 30, 45, 60, 80, 100, 120, 150, 180, 220, 260, 320, 400, 500, 700, 1000];
 
-/// Positions of a path.
+/// Number of positions of a path.
 pub const SAMPLES: usize = 16;
 
 /// x and y at each of `SAMPLED_STEPS`, px.
 pub type SampledPath = [[f32; 2]; SAMPLES];
 
-/// What one ball leads to.
+/// The paths that one ball leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SampledPaths {
     /// The path of the green object.

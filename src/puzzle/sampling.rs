@@ -6,8 +6,8 @@ use rand::{Rng, RngExt};
 
 use super::action::{Action, Ball, Obstacles};
 
-/// Maximum number of draws for one ball, or for all of `uniform_balls`. In the benchmark's tasks more than four actions
-/// in ten are valid; the limit ends the search in a scene that has no room.
+/// Maximum number of draws for one ball, or for all of `uniform_balls`. In the benchmark's tasks, more than four in ten
+/// actions are valid; the limit ends the search in a scene that has no room.
 const MAX_DRAWS: usize = 100_000;
 
 /// Returns a valid ball drawn uniformly from the action space; `None` if the scene of the obstacles has no room for
@@ -29,7 +29,7 @@ pub fn perturbed(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
     Action { x: noisy(start.x), y: noisy(start.y), r: noisy(start.r).clamp(0.0, 1.0) }
 }
 
-/// One draw from the standard normal distribution (Box and Muller 1958), with libm, so that wasm draws the same.
+/// Draws from the standard normal distribution (Box and Muller 1958). Uses libm, so that wasm draws the same number.
 pub fn gaussian(rng: &mut impl Rng) -> f64 {
     let (u, v): (f64, f64) = (1.0 - rng.random::<f64>(), rng.random());
     libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)

@@ -1,8 +1,8 @@
-//! A scene as plain data: bodies with their roles, and which two of them must touch.
+//! A scene as plain data: bodies with their roles, and the two that must touch.
 //!
-//! The scene is 256 x 256 px, origin at the bottom left, y up; angles are radians, counter-clockwise.
-//! Made by `layout`, read by everything else. Depends on nothing. `ShapeType` and `Shape` are PHYRE's names; the JSON
-//! keys are those of `pathlight tasks --json`.
+//! The scene is 256 x 256 px, origin at the bottom left, y up; angles are radians, counter-clockwise. Produced by
+//! `layout` and `custom_scene`, read by everything else. Depends on nothing. `ShapeType` and `Shape` are PHYRE's names;
+//! the JSON keys are those of `pathlight tasks --json`.
 
 use serde::{Deserialize, Serialize};
 
@@ -30,7 +30,7 @@ pub enum ShapeType {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
-    /// The dynamic body that has to touch the goal: body1 of every task.
+    /// The dynamic body that must touch the goal: body1 of every task.
     Green,
     /// A dynamic goal.
     Blue,
@@ -57,9 +57,9 @@ pub enum Shape {
 /// One rigid body: position, angle, and one or more convex shapes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Body {
-    /// Position of the origin, px.
+    /// x of the origin, px.
     pub x: f64,
-    /// Position of the origin, px, up.
+    /// y of the origin, px, upwards.
     pub y: f64,
     /// Radians, counter-clockwise, not wrapped.
     pub angle: f64,
@@ -68,9 +68,9 @@ pub struct Body {
     /// The kind of the body.
     #[serde(rename = "shape")]
     pub shape_type: ShapeType,
-    /// What it is for in the task.
+    /// The role of the body in the task.
     pub role: Role,
-    /// Its convex shapes, in the frame of the origin.
+    /// The convex shapes, in the frame of the origin.
     #[serde(rename = "parts")]
     pub shapes: Vec<Shape>,
 }
@@ -93,7 +93,7 @@ impl Body {
         })
     }
 
-    /// Returns how far the body reaches into a direction, a unit vector, from the origin of the scene, px.
+    /// Returns how far the body reaches in a direction, a unit vector, from the origin of the scene, px.
     pub fn reach(&self, [x, y]: [f64; 2]) -> f64 {
         let along = |[a, b]: [f64; 2]| a * x + b * y;
         let reaches = self.shapes.iter().flat_map(|shape| match shape {
@@ -103,7 +103,7 @@ impl Body {
         reaches.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Returns colour and shape in words: "green ball".
+    /// Returns the colour and shape in words: "green ball".
     pub fn name(&self) -> String {
         let colour = match self.role {
             Role::Green => "green",
@@ -138,7 +138,7 @@ pub struct Scene {
     pub body1: usize,
     /// Index into `bodies` of the blue or purple goal.
     pub body2: usize,
-    /// All bodies, in the order of PHYRE.
+    /// All bodies, in PHYRE's order.
     pub bodies: Vec<Body>,
 }
 

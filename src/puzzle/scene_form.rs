@@ -1,31 +1,31 @@
-//! Whether a scene has the form that simulation and images rely on: numbers that are numbers, and convex shapes.
+//! Checks that a scene has the form that simulation and images rely on: finite numbers, and convex shapes.
 //!
-//! The templates' scenes and custom scenes within their limits have it. A scene that a caller builds, or that a program
-//! sends, is checked before it is used.
+//! The templates' scenes and custom scenes within their limits have this form. A scene that is built by a caller or
+//! sent by a program is checked before it is used.
 
 use super::scene::{Body, Role, Scene, Shape};
 
-/// Largest coordinate, length or angle, px and radians: far outside of any scene.
+/// Largest coordinate, length or angle, px and radians: far outside any scene.
 pub const FARTHEST: f64 = 1e4;
 
-/// Smallest radius of a circle and length of an edge, px. Smaller ones have hardly a mass in single precision.
+/// Smallest radius of a circle and length of an edge, px. Smaller shapes have almost no mass in single precision.
 pub const SMALLEST: f64 = 0.1;
 
 /// Largest number of corners of a polygon (Box2D's b2_maxPolygonVertices).
 pub const MAX_CORNERS: usize = 8;
 
-/// Smallest sine of the angle by which the outline of a polygon turns at a corner. rapier leaves out corners at which
-/// it turns by less than 1.5 degrees, a sine of 0.026, in single precision; the rest allows for its rounding.
+/// Smallest sine of the angle by which the outline of a polygon turns at a corner. rapier drops corners that turn by
+/// less than 1.5 degrees, a sine of 0.026, in single precision; the difference is a margin for its rounding.
 const LEAST_TURN: f64 = 0.05;
 
-/// Why a scene cannot be simulated. Bodies are named by their indices.
+/// Why a scene cannot be simulated. Bodies are identified by their indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[allow(missing_docs, reason = "the messages say it")]
 pub enum FormFault {
     #[error("`body1` and `body2` of the scene are the indices of two of its bodies, from 0: correct them")]
     Goal,
     #[error(
-        "body {0} of the scene has another role than it plays: `body1` is green and dynamic, `body2` blue if dynamic and \
+        "body {0} of the scene has the wrong role: `body1` is green and dynamic, `body2` blue if dynamic and \
          purple if not, every other body gray if dynamic and black if not"
     )]
     Role(usize),
@@ -34,7 +34,7 @@ pub enum FormFault {
     #[error("body {0} of the scene has a number beyond ±{FARTHEST}: lengths are px, angles are radians")]
     Number(usize),
     #[error(
-        "body {0} of the scene has a shape that is none: a circle has a radius of at least {SMALLEST} px, a polygon is convex, with three \
+        "body {0} of the scene has an invalid shape: a circle has a radius of at least {SMALLEST} px, a polygon is convex, with three \
          to {MAX_CORNERS} corners counter-clockwise and at least {SMALLEST} px from one another"
     )]
     Shape(usize),
@@ -58,7 +58,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The role of a body, which nets see, as the goal that is simulated has it.
+    /// Returns the role that a body must have, which nets see, given the goal that is simulated.
     fn role_of(&self, index: usize) -> Role {
         match (index, self.bodies[index].dynamic) {
             (body, _) if body == self.body1 => Role::Green,
@@ -91,7 +91,7 @@ fn check_body(index: usize, body: &Body) -> Result<(), FormFault> {
     }
 }
 
-/// Whether the outline has three to `MAX_CORNERS` corners and turns left at each, once around in all.
+/// Returns whether the outline has three to `MAX_CORNERS` corners and turns left at each, once around in total.
 fn is_convex(corners: &[[f64; 2]]) -> bool {
     let edge = |index: usize| {
         let ([x, y], [u, v]) = (corners[index], corners[(index + 1) % corners.len()]);
@@ -106,7 +106,7 @@ fn is_convex(corners: &[[f64; 2]]) -> bool {
         if squared(before) < SMALLEST * SMALLEST || !is_left {
             return false;
         }
-        // Of an outline that turns left alone, each round turns from downwards to upwards once.
+        // In an outline with only left turns, each round turns from downwards to upwards once.
         let is_upwards = |[x, y]: [f64; 2]| y > 0.0 || (y == 0.0 && x > 0.0);
         rounds += usize::from(!is_upwards(before) && is_upwards(after));
     }
@@ -123,7 +123,7 @@ mod tests {
         Task::load("00007:008".parse().expect("an id")).expect("a task").scene
     }
 
-    /// The fault of a scene whose first body has this shape.
+    /// Returns the fault of a scene whose first body has this shape.
     fn fault(shape: Shape) -> Option<FormFault> {
         let mut scene = scene();
         scene.bodies[0].shapes = vec![shape];

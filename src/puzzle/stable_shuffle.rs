@@ -1,6 +1,6 @@
-//! PHYRE's `stable_shuffle`: an order that looks random and depends on nothing but the items and a salt.
+//! PHYRE's `stable_shuffle`: an order that looks random and depends only on the items and a salt.
 //!
-//! The numbers of tasks and the folds of the benchmark follow from it.
+//! It determines the numbers of tasks and the folds of the benchmark.
 
 use std::fmt::Display;
 

@@ -1,6 +1,6 @@
-//! Tasks: one numbered scene of a template, with its id, its parameters and its goal in words.
+//! Tasks: numbered scenes of a template, each with its id, its parameters and its goal in words.
 //!
-//! Parses the ids that people type and loads their tasks. Used by everything above the templates.
+//! Parses ids and loads their tasks. Used by everything above the templates.
 
 use std::{fmt, str::FromStr};
 
@@ -16,7 +16,7 @@ use crate::puzzle::templates::{TEMPLATES, Template};
 pub struct TaskId {
     /// Index into `TEMPLATES`.
     pub template: usize,
-    /// 0..=999. Each template has its own list of numbers that are in the benchmark.
+    /// 0..=999. The benchmark contains only some numbers of each template.
     pub number: u16,
 }
 
@@ -26,7 +26,7 @@ pub struct TaskId {
 pub enum TaskError {
     #[error("`{0}` is not a task id: write template and number like 00007:008")]
     Malformed(String),
-    #[error("there is no template `{0}`: they run from 00000 to {last:05}", last = TEMPLATES.len() - 1)]
+    #[error("unknown template `{0}`: templates run from 00000 to {last:05}", last = TEMPLATES.len() - 1)]
     NoTemplate(String),
     #[error("task {0} is not in the benchmark: `pathlight tasks --template {template:05}` lists the tasks of this template", template = .0.template)]
     NotInBenchmark(TaskId),
@@ -47,7 +47,7 @@ pub struct Task {
 }
 
 impl Task {
-    /// Returns the task of this id.
+    /// Returns the task with this id.
     ///
     /// # Errors
     /// `NoTemplate` or `NotInBenchmark` if the benchmark has no such task.
@@ -78,14 +78,14 @@ pub fn goal_sentence(scene: &Scene) -> String {
 }
 
 impl TaskId {
-    /// Returns the seed of the random draws for this task, given the seed of the whole command or page: the page,
-    /// `propose` and `evaluate` draw the same.
+    /// Returns the seed of the random draws for this task, given the seed of the whole command or page. The page,
+    /// `propose` and `evaluate` draw the same numbers.
     pub fn seed(self, global_seed: u64) -> u64 {
         spread(global_seed) ^ ((self.template as u64) << 32 | u64::from(self.number) << 16)
     }
 }
 
-/// Spreads seeds over the 64 bits by an odd constant (Knuth's multiplicative hashing).
+/// Spreads seeds over 64 bits by an odd factor (Knuth's multiplicative hashing).
 pub fn spread(global_seed: u64) -> u64 {
     global_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)
 }

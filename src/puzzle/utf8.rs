@@ -1,4 +1,4 @@
-//! Text that people have saved, in a file or in a line of one. Whatever reads such bytes begins here.
+//! Decodes text that people saved, in a file or in a line of one. All code that reads such bytes starts here.
 
 /// Why bytes are not text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -10,14 +10,17 @@ pub enum NotUtf8 {
     Other,
 }
 
-/// Returns the text of UTF-8, without the byte order mark that some editors write before it.
+/// Decodes UTF-8, without the byte order mark that some editors write.
 ///
 /// # Errors
-/// If it is not UTF-8. UTF-16, which PowerShell 5 writes, is named, with and without a byte order mark.
+///
+/// If the bytes are not UTF-8. The error distinguishes UTF-16, which PowerShell 5 writes, with or without a byte order
+/// mark.
 pub fn utf8(bytes: &[u8]) -> Result<&str, NotUtf8> {
     let is_utf16 = match *bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
-        // JSON begins with two ASCII characters. A line that was cut after one byte of a newline begins with the other.
+        // JSON begins with two ASCII characters. A line that was cut after one byte of a newline begins with the other
+        // byte.
         [a, b, c, d, ..] => (a == 0) == (c == 0) && (b == 0) == (d == 0) && (a == 0) != (b == 0),
         _ => false,
     };
@@ -48,7 +51,7 @@ mod tests {
                 }
             }
         }
-        // Windows-1252, and UTF-8 that is cut off.
+        // Windows-1252, and truncated UTF-8.
         for bytes in [b"{\"name\":\"\xdcber\"}".as_slice(), b"\xef\xbb", b"\xff"] {
             assert_eq!(utf8(bytes), Err(NotUtf8::Other), "{bytes:?}");
         }

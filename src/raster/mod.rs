@@ -1,9 +1,9 @@
 //! 64 x 64 images for the nets: the five channels of a scene, and the path of a body through a rollout.
 //!
-//! Everything is drawn at 256 x 256 pixels, one per px. For the paper's nets it is max-pooled to 64 x 64 cells; for the
-//! success net, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of the scene. Also defines how cells
-//! map to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the page. Must not depend on the simulator
-//! or on nets.
+//! Everything is drawn at 256 x 256 pixels, one per px. For the paper's nets, the image is max-pooled to 64 x 64 cells;
+//! for the success net, the dynamics net and DQN, it is average-pooled. Row 0 is the bottom of the scene. Also defines
+//! how cells map to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the page. Must not depend on the
+//! simulator or on nets.
 
 use scan_conversion::{Span, body_spans, disc_spans};
 
@@ -17,7 +17,7 @@ pub mod soft_iou;
 /// Width and height of an image, cells.
 pub const SIDE: usize = 64;
 
-/// Cells of an image.
+/// Number of cells in an image.
 pub const CELLS: usize = SIDE * SIDE;
 
 /// Width and height of a cell, px. One px is one pixel of the image before pooling.
@@ -29,7 +29,7 @@ pub const CHANNELS: usize = 5;
 /// A path image shows every tenth step of a rollout. The code of Harter et al. (2020) draws every fifth.
 const PATH_STRIDE: usize = 10;
 
-/// Distance between two drawings of a body along a trail, px: half a cell, so that no cell is left out.
+/// Distance between two drawings of a body along a trail, px: half a cell, so that no cell is skipped.
 const TRAIL_STRIDE: f64 = PX_PER_CELL as f64 / 2.0;
 
 /// Returns the centre of a cell, px. Cells are numbered row by row from the bottom left, `0..CELLS`.
@@ -42,20 +42,20 @@ pub fn cell_centre(cell: usize) -> [f64; 2] {
 pub struct Bitmap(pub [u64; SIDE]);
 
 impl Bitmap {
-    /// The image without a set cell.
+    /// The image without set cells.
     pub const EMPTY: Bitmap = Bitmap([0; SIDE]);
 
-    /// Whether the cell in this column and row is set.
+    /// Returns whether the cell in this column and row is set.
     pub fn get(&self, column: usize, row: usize) -> bool {
         self.0[row] >> column & 1 == 1
     }
 
-    /// The number of set cells.
+    /// Returns the number of set cells.
     pub fn count(&self) -> u32 {
         self.0.iter().map(|row| row.count_ones()).sum()
     }
 
-    /// Returns the numbers of the set cells, ascending.
+    /// Returns the indices of the set cells, ascending.
     pub fn cells(&self) -> impl Iterator<Item = usize> + use<> {
         (0..).zip(self.0).flat_map(|(row, mut word): (usize, u64)| {
             std::iter::from_fn(move || {
@@ -101,8 +101,8 @@ impl std::ops::BitOrAssign for Bitmap {
     }
 }
 
-/// How much of each cell is covered, row by row: the number of its pixels that are, `0..=PX_PER_CELL * PX_PER_CELL`.
-/// Unlike a `Bitmap` it tells where within a cell an edge lies.
+/// The coverage of each cell, row by row: its number of covered pixels, `0..=PX_PER_CELL * PX_PER_CELL`. Unlike a
+/// `Bitmap`, it shows where within a cell an edge lies.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coverage(Vec<u8>);
 
@@ -130,7 +130,7 @@ pub fn scene_channels(scene: &Scene) -> [Bitmap; CHANNELS] {
     })
 }
 
-/// Returns how much of each cell the bodies of each channel cover at the start of a scene.
+/// Returns the coverage of each cell by the bodies of each channel at the start of a scene.
 pub fn scene_coverage(scene: &Scene) -> [Coverage; CHANNELS] {
     ROLES.map(|role| {
         let width = SIDE * PX_PER_CELL;
@@ -146,7 +146,7 @@ pub fn scene_coverage(scene: &Scene) -> [Coverage; CHANNELS] {
     })
 }
 
-/// The pixels of the bodies of a role at the start of a scene.
+/// Marks the pixels of the bodies of a role at the start of a scene.
 fn of_role(scene: &Scene, role: Role, mut mark: impl FnMut(Span)) {
     for body in scene.bodies.iter().filter(|body| body.role == role) {
         body_spans(body, [body.x as f32, body.y as f32, body.angle as f32], &mut mark);
@@ -161,7 +161,7 @@ pub fn ball_image(ball: Ball) -> Bitmap {
 }
 
 /// Returns the path of a body: the union of its images at every tenth step. `index` is the body's index in the scene
-/// (the action ball has the index after the last); a static body is drawn where it is.
+/// (the action ball has the index after the last). A static body is drawn once.
 pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
     let mut image = Bitmap::EMPTY;
     for step in (0..=rollout.steps).step_by(PATH_STRIDE) {
@@ -171,7 +171,7 @@ pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
     image
 }
 
-/// Returns the path of a body that slides along a line through these points (px) without rotating: what a person
+/// Returns the path of a body that slides along a line through these points (px) without rotating: a path that a person
 /// draws, as a path image. The start of the body is part of it, and points outside the scene are clamped to its edge.
 pub fn trail_image(body: &Body, points: &[[f64; 2]]) -> Bitmap {
     let mut image = Bitmap::EMPTY;

@@ -1,10 +1,10 @@
-//! Scan conversion: the pixels of shapes, line by line. One pixel per px; a pixel belongs to a shape if its centre lies
-//! in it.
+//! Scan conversion: the pixels of shapes, line by line. There is one pixel per px; a pixel belongs to a shape if its
+//! centre lies inside.
 
 use crate::puzzle::rollout::Pose;
 use crate::puzzle::scene::{Body, SIZE, Shape};
 
-/// Pixels of a line, at least one, in the scene.
+/// A run of pixels of a line, at least one, inside the scene.
 pub(crate) struct Span {
     pub line: usize,
     pub start: usize,
@@ -12,7 +12,7 @@ pub(crate) struct Span {
     pub end: usize,
 }
 
-/// Scan conversion of a body at a pose: the pixels whose centres lie in it.
+/// Scan-converts a body at a pose: marks the pixels whose centres lie inside.
 pub(crate) fn body_spans(body: &Body, [x, y, angle]: Pose, mut mark: impl FnMut(Span)) {
     let placed = Body { x: x.into(), y: y.into(), angle: angle.into(), ..body.clone() };
     for shape in &placed.shapes {
@@ -26,7 +26,7 @@ pub(crate) fn body_spans(body: &Body, [x, y, angle]: Pose, mut mark: impl FnMut(
     }
 }
 
-/// The pixels of a disc; centre and radius in px.
+/// Marks the pixels of a disc; centre and radius in px.
 pub(crate) fn disc_spans(x: f64, y: f64, radius: f64, mark: impl FnMut(Span)) {
     let ends = |height: f64| {
         let half = (radius * radius - (height - y) * (height - y)).max(0.0).sqrt();
@@ -35,7 +35,7 @@ pub(crate) fn disc_spans(x: f64, y: f64, radius: f64, mark: impl FnMut(Span)) {
     spans(y - radius, y + radius, ends, mark);
 }
 
-/// The pixels of a convex polygon; corners in px.
+/// Marks the pixels of a convex polygon; corners in px.
 pub(crate) fn polygon_spans(corners: &[[f64; 2]], mark: impl FnMut(Span)) {
     let bottom = corners.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);
     let top = corners.iter().map(|corner| corner[1]).fold(f64::NEG_INFINITY, f64::max);
@@ -52,7 +52,7 @@ pub(crate) fn polygon_spans(corners: &[[f64; 2]], mark: impl FnMut(Span)) {
     spans(bottom, top, ends, mark);
 }
 
-/// The pixels of a shape line by line. `ends` returns the left and right end of a line at a height, all px.
+/// Marks the pixels of a shape line by line. `ends` returns the left and right end of a line at a height, all px.
 fn spans(bottom: f64, top: f64, ends: impl Fn(f64) -> Option<(f64, f64)>, mut mark: impl FnMut(Span)) {
     for line in first_pixel(bottom)..end_pixel(top) {
         let Some((left, right)) = ends(line as f64 + 0.5) else { continue };

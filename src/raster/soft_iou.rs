@@ -1,9 +1,9 @@
 //! The soft intersection over union of two 64 x 64 images: how well a predicted path agrees with the simulated one.
 //!
-//! Soft IoU (the Ruzicka or weighted Jaccard similarity): the sum over the cells of the smaller value, divided by the
-//! sum of the larger. For binary images it is the ordinary intersection over union; a confident prediction scores
-//! higher than an uncertain one where it is right, and lower where it is wrong. Used by the page for the nets' maps and
-//! for what a person draws, so that both are measured alike.
+//! Soft IoU (the Ruzicka or weighted Jaccard similarity) is the sum over the cells of the smaller value, divided by the
+//! sum of the larger. For binary images it is the ordinary intersection over union. A confident prediction scores
+//! higher than an uncertain one where it is right, and lower where it is wrong. The page uses it for the nets' maps and
+//! for drawings by people, so that both are measured alike.
 
 /// Returns the soft IoU of two images of equal size with values in 0..=1: 0 (disjoint) to 1 (equal). It is 0 for two
 /// empty images. NaN counts as 0.

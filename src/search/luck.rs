@@ -1,4 +1,4 @@
-//! Luck or plan: how robust a solution is. Counts how many of the balls within a pixel of it solve too, and tries the
+//! Luck or plan: how robust a solution is. Counts how many of the balls within a pixel of it also solve, and tries the
 //! ball itself in the second engine, which the wasm lacks.
 
 use serde::Serialize;
@@ -9,14 +9,14 @@ use crate::puzzle::scene::Scene;
 use crate::simulator::Engine;
 use crate::simulator::outcome;
 
-/// What becomes of a ball and of the balls within a pixel of it in x, y and radius.
+/// The outcomes of a ball and of the balls within a pixel of it in x, y and radius.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Luck {
-    /// Of the 27 balls, those that may be placed.
+    /// Number of valid balls among the 27.
     pub valid: usize,
-    /// Those that solve.
+    /// Number of balls that solve.
     pub solved: usize,
-    /// Whether the ball itself solves under rapier2d's own pipeline; false if it may not be placed.
+    /// Whether the ball itself solves under rapier2d's own pipeline; false if it is invalid.
     #[cfg(not(target_arch = "wasm32"))]
     pub rapier: bool,
 }
@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn only_balls_that_may_be_placed_count() {
         let scene = Task::load("00000:000".parse().expect("an id")).expect("a task").scene;
-        // The smallest ball in the upper left corner: neither smaller, nor farther out.
+        // The smallest ball in the upper left corner: no smaller one is valid, and none farther out.
         let corner = luck(&scene, Ball { x: 2.0, y: 254.0, r: 2.0 });
         assert_eq!(corner, Luck { valid: 5, solved: 0, rapier: false });
     }

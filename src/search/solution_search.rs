@@ -1,7 +1,7 @@
-//! Whether a scene can be solved: a grid of balls over the whole action space, tried in an order that makes every part
-//! of the search an even sample of it.
+//! Searches for solutions of a scene: tries a grid of balls over the whole action space, in an order that makes every
+//! part of the search an even sample of the grid.
 //!
-//! Used by the page's worker, which asks for one ball after another and may stop between any two.
+//! Used by the page's worker, which tries one ball after another and can stop between any two.
 
 use serde::Serialize;
 
@@ -10,34 +10,34 @@ use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::simulator::outcome;
 
-/// Places of the grid along x and along y, each in the middle of its 8 px.
+/// Grid positions along x and along y, each in the middle of its 8 px.
 const PLACES: usize = 32;
 
 /// Radii of the grid, px: near the middles of four equal parts of 2..=32.
 const RADII: [f64; 4] = [6.0, 13.0, 21.0, 28.0];
 
-/// All balls of the grid, also those that are invalid.
+/// All balls of the grid, including invalid ones.
 const BALLS: usize = PLACES * PLACES * RADII.len();
 
-/// Step from one ball to the next, modulo `BALLS`: near the golden section of them, so that each new ball lies in a gap
-/// of those before (Kronecker sequence). Odd, so that every ball has its turn.
+/// Step from one ball to the next, modulo `BALLS`: close to the golden section of `BALLS`, so that each new ball lies
+/// in a gap between earlier ones (Kronecker sequence). Odd, so that every ball is reached.
 const STRIDE: usize = 2531;
 
-/// What the search has found so far.
+/// The results so far.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Found {
-    /// The fraction of the balls that has been looked at, 0..=1.
+    /// The fraction of the balls that have been examined, 0..=1.
     pub progress: f64,
-    /// Balls that may be placed; all of them were simulated.
+    /// Number of valid balls; all of them were simulated.
     pub valid: usize,
-    /// Those that solve.
+    /// Number of balls that solve.
     pub solved: usize,
-    /// The share of the benchmark's tasks that are harder, by the share of valid balls that solve, 0..=1; `None`
+    /// The share of the benchmark's tasks that are harder, judged by the share of valid balls that solve, 0..=1; `None`
     /// without a valid ball.
     pub rank: Option<f64>,
-    /// The ball that solves with the most neighbours in the grid that solve too; `None` if no ball solves.
+    /// The solving ball with the most solving neighbours in the grid; `None` if no ball solves.
     pub easiest: Option<Ball>,
-    /// Whether the scene solves itself, without a ball.
+    /// Whether the scene solves itself without a ball.
     pub solves_itself: bool,
 }
 
@@ -53,7 +53,7 @@ pub struct SolutionSearch {
 }
 
 impl SolutionSearch {
-    /// Returns a search in which only the scene without a ball has been tried.
+    /// Creates a search in which only the scene without a ball has been tried.
     pub fn new(scene: Scene) -> SolutionSearch {
         let solves_itself = outcome(&scene, None).is_ok_and(|outcome| outcome.solved);
         let obstacles = Obstacles::new(&scene);
@@ -81,7 +81,7 @@ impl SolutionSearch {
         false
     }
 
-    /// Returns what has been found so far.
+    /// Returns the results so far.
     pub fn found(&self) -> Found {
         let valid = self.solves.iter().flatten().count();
         let solved = self.solves.iter().flatten().filter(|&&solves| solves).count();
@@ -95,12 +95,12 @@ impl SolutionSearch {
         }
     }
 
-    /// Returns the ball with the most solving neighbours among those that solve: the first of equals.
+    /// Returns the solving ball with the most solving neighbours; the first if several are equal.
     fn easiest(&self) -> Option<Ball> {
         let solving = (0..BALLS).filter(|&index| self.solves[index] == Some(true));
         let solving_neighbours =
             |&index: &usize| neighbours(index).filter(|&neighbour| self.solves[neighbour] == Some(true)).count();
-        // `max_by_key` returns the last of equals; in reverse order that is the first.
+        // `max_by_key` returns the last of equals, which in reverse order is the first.
         solving.rev().max_by_key(solving_neighbours).map(ball)
     }
 }

@@ -1,16 +1,17 @@
-//! The solve map: where a ball of one radius solves a scene, by one rollout for each of 64 x 64 cells, coarse to fine.
+//! The solve map shows where a ball of one radius solves a scene. It takes one rollout for each of 64 x 64 cells,
+//! coarse to fine.
 //!
-//! First every eighth cell across and up is tried, then every fourth, every second and every one, so that a coarse map
-//! is there at once and becomes finer (progressive refinement). A cell that has not been tried yet has the outcome of
-//! the smallest block around it that was. Used by the page's worker, which asks for one cell after another and may stop
-//! between any two.
+//! Every eighth cell across and up is tried first, then every fourth, every second and every one, so that a coarse map
+//! is available at once and becomes finer (progressive refinement). An untried cell has the outcome of the smallest
+//! block around it that was tried. Used by the page's worker, which tries one cell after another and can stop between
+//! any two.
 
 use crate::puzzle::action::{Ball, Invalid, RADIUS};
 use crate::puzzle::scene::Scene;
 use crate::raster::{CELLS, SIDE, cell_centre};
 use crate::simulator::outcome;
 
-/// Side of the blocks of which one cell is tried, cells: from the coarsest round to the finest.
+/// Side lengths, in cells, of the blocks in which one cell is tried, from the coarsest round to the finest.
 const STRIDES: [usize; 4] = [8, 4, 2, 1];
 
 /// The outcome of a ball at the centre of a cell. The page receives these numbers.
@@ -19,7 +20,7 @@ const STRIDES: [usize; 4] = [8, 4, 2, 1];
 pub enum CellOutcome {
     /// No ball was tried there yet.
     Untried = 0,
-    /// No ball may be there.
+    /// A ball there is invalid.
     Invalid = 1,
     /// The ball does not solve the scene.
     NotSolved = 2,
@@ -32,16 +33,17 @@ pub struct SolveMap {
     scene: Scene,
     radius: f64,
     cells: Vec<CellOutcome>,
-    /// All cells in the order in which they are tried.
+    /// All cells in the order of trial.
     order: Vec<usize>,
     tried: usize,
 }
 
 impl SolveMap {
-    /// Returns a map of which no cell has been tried.
+    /// Creates a map in which no cell has been tried.
     ///
     /// # Errors
-    /// Refuses a radius outside of `RADIUS`.
+    ///
+    /// If the radius is outside `RADIUS`.
     pub fn new(scene: Scene, radius: f64) -> Result<SolveMap, Invalid> {
         if !RADIUS.contains(&radius) {
             return Err(Invalid::Radius);
@@ -54,7 +56,7 @@ impl SolveMap {
         Ok(SolveMap { scene, radius, cells: vec![CellOutcome::Untried; CELLS], order, tried: 0 })
     }
 
-    /// Returns the ball that is tried in a cell: at its centre, px.
+    /// Returns the ball to try in a cell: at the cell's centre, px.
     pub fn ball(&self, cell: usize) -> Ball {
         let [x, y] = cell_centre(cell);
         Ball { x, y, r: self.radius }
@@ -77,7 +79,7 @@ impl SolveMap {
         self.tried as f64 / CELLS as f64
     }
 
-    /// Returns the outcome of each cell as far as it is known, row 0 at the bottom; coarse where not tried yet.
+    /// Returns the known outcome of each cell, row 0 at the bottom; an untried cell has that of its block.
     pub fn outcomes(&self) -> Vec<CellOutcome> {
         let known = |cell| {
             let blocks = STRIDES.iter().rev().map(|&stride| self.cells[block(cell, stride)]);
@@ -138,7 +140,7 @@ mod tests {
 
     #[test]
     fn the_last_cell_ends_it() {
-        // Balls so large that nearly none may be placed, so that this takes no time.
+        // Balls so large that almost none are valid, so that this takes little time.
         let mut map = map(32.0);
         map.tried = CELLS - 1;
         assert!(map.advance());

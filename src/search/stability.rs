@@ -6,10 +6,10 @@ use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::Scene;
 use crate::simulator::outcome;
 
-/// Shifts of the ball in either direction, px.
+/// Shifts of the ball along each axis, px.
 const SHIFTS: [f64; 3] = [-0.5, 0.0, 0.5];
 
-/// Returns whether a ball that solves the scene also solves it from the eight places half a px beside it. Places where
+/// Returns whether a ball that solves the scene also solves it from the eight positions half a px away. Positions where
 /// it would be invalid do not count against it.
 ///
 /// ```

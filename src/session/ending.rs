@@ -1,5 +1,5 @@
-//! The end of a rollout in brief: whether it solved the puzzle, how long the object touched the goal, and when all that
-//! can be seen is over.
+//! A summary of the end of a rollout: whether it solved the puzzle, how long the object touched the goal, and when the
+//! visible motion is over.
 //!
 //! The page lists endings, and shows the touch while a rollout plays.
 
@@ -9,9 +9,9 @@ use crate::puzzle::rollout::{GOAL_STEPS, Pose, Rollout};
 
 /// A body that moves less than this in a step looks still, px.
 const STILL: f32 = 0.05;
-/// So does one that turns less than this, radians.
+/// A body that turns less than this in a step looks still, radians.
 const STILL_ANGLE: f32 = 0.005;
-/// For how long the eye sees that everything has come to rest, steps.
+/// Time that a viewer needs to see that everything has come to rest, steps.
 const REST: usize = 24;
 
 /// How a rollout ended.
@@ -21,9 +21,9 @@ pub struct Ending {
     pub solved: bool,
     /// Number of simulated steps.
     pub steps: usize,
-    /// The longest time for which the green object touched the goal without a break, steps.
+    /// The longest uninterrupted time for which the green object touched the goal, steps.
     pub longest_touch: usize,
-    /// For how long it had been touching at the end of the rollout, steps; 0 if it was not.
+    /// How long it had been touching at the end of the rollout, steps; 0 if it was not.
     pub final_touch: usize,
 }
 
@@ -42,7 +42,7 @@ pub fn touch_streak(rollout: &Rollout, step: usize) -> usize {
     rollout.touching[..=step.min(rollout.steps)].iter().rev().take(GOAL_STEPS).take_while(|&&touches| touches).count()
 }
 
-/// Returns the step after which nothing that can be seen happens any more: a moment after all has come to rest.
+/// Returns the step after which nothing visible happens: a moment after everything has come to rest.
 pub fn visible_end(rollout: &Rollout) -> usize {
     let still = |(before, after): (&Pose, &Pose)| {
         let [x, y, angle] = std::array::from_fn(|axis| (after[axis] - before[axis]).abs());

@@ -1,4 +1,4 @@
-//! One session on one puzzle: what is played and whether it may be, an agent's turn, and how a rollout ended.
+//! One session on one puzzle: the puzzle and whether it can be played, an agent's turn, and the end of a rollout.
 
 pub mod ending;
 pub mod puzzle;

@@ -1,4 +1,4 @@
-//! A puzzle: a task of the benchmark or a custom scene. The page, the API and the commands take either.
+//! A puzzle: a task of the benchmark or a custom scene. The page, the API and the commands accept either.
 
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -9,12 +9,12 @@ use crate::puzzle::hex::hex;
 use crate::puzzle::scene::Scene;
 use crate::puzzle::task::{Task, TaskId, goal_sentence, spread};
 
-/// A scene to play, and which it is.
+/// A scene to play, and its identity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Puzzle {
-    /// Which task or custom scene it is.
+    /// The identity of the task or custom scene.
     pub id: PuzzleId,
-    /// What was made, if it is a custom scene.
+    /// The source of a custom scene; `None` for a task.
     pub custom: Option<CustomScene>,
     /// The goal sentence.
     pub goal: String,
@@ -22,7 +22,7 @@ pub struct Puzzle {
     pub scene: Scene,
 }
 
-/// Which task or custom scene it is.
+/// The identity of a task or a custom scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PuzzleId {
     /// A task of the benchmark.
@@ -61,10 +61,11 @@ impl PuzzleId {
 }
 
 impl Puzzle {
-    /// Returns a custom scene to play.
+    /// Checks a custom scene and returns the puzzle.
     ///
     /// # Errors
-    /// Why it may not be played.
+    ///
+    /// The reasons why it cannot be played.
     pub fn custom(custom: &CustomScene) -> Result<Puzzle, Vec<Problem>> {
         let scene = checked(custom)?;
         let nameless = CustomScene { name: None, ..custom.clone() };
@@ -73,15 +74,16 @@ impl Puzzle {
         Ok(Puzzle { id, custom: Some(custom.clone()), goal: goal_sentence(&scene), scene })
     }
 
-    /// Returns what its maker calls a custom scene.
+    /// Returns the name of a custom scene.
     pub fn name(&self) -> Option<&str> {
         self.custom.as_ref()?.name.as_deref()
     }
 
-    /// Reads a custom scene to play from JSON.
+    /// Reads a custom scene from JSON and returns the puzzle.
     ///
     /// # Errors
-    /// Why it is no scene or may not be played.
+    ///
+    /// The reasons why it is not a scene or cannot be played.
     pub fn read(value: Value) -> Result<Puzzle, Vec<Problem>> {
         Puzzle::custom(&CustomScene::read(value)?)
     }

@@ -1,14 +1,15 @@
-//! Whether a custom scene may be played: the limits of its form, and that nothing overlaps at the start deeper than the
-//! engine separates. The page asks this for every frame of a drag.
+//! Checks whether a custom scene can be played: it must keep its limits, and nothing may overlap at the start deeper
+//! than the engine can separate. The page runs this check for every frame of a drag.
 
 use crate::puzzle::custom_scene::{CustomScene, Fault, MAX_OVERLAP, Problem};
 use crate::puzzle::scene::Scene;
 use crate::simulator::penetration::overlaps;
 
-/// Returns why a scene may not be played: a reason for each body, and overlaps if there is no other; none if it may.
+/// Returns the reasons why a scene cannot be played: one for each body, or overlaps if there are no others. Empty if
+/// the scene can be played.
 pub fn problems(custom: &CustomScene) -> Vec<Problem> {
     let mut problems = custom.limit_problems();
-    // What is out of the limits has no shapes to compare.
+    // Bodies that violate the limits have no shapes to compare.
     if problems.is_empty() {
         let deep = overlaps(&custom.to_scene()).into_iter().filter(|overlap| overlap.depth > MAX_OVERLAP);
         problems.extend(deep.map(|overlap| {
@@ -27,7 +28,8 @@ pub fn problems(custom: &CustomScene) -> Vec<Problem> {
 /// Returns the scene to simulate.
 ///
 /// # Errors
-/// Why it may not be played.
+///
+/// The reasons why it cannot be played.
 pub fn checked(custom: &CustomScene) -> Result<Scene, Vec<Problem>> {
     let problems = problems(custom);
     if problems.is_empty() { Ok(custom.to_scene()) } else { Err(problems) }

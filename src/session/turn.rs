@@ -1,7 +1,7 @@
 //! An agent's turn on one puzzle: ball by ball, each simulated once and then observed by the agent, until the puzzle is
 //! solved or all attempts are used.
 //!
-//! The page's worker and `evaluate` both run agents by it, so what is measured is what is seen.
+//! The page's worker and `evaluate` both run agents this way, so the measured behaviour is the behaviour on the page.
 
 use crate::agents::{Agent, Observation, Proposal};
 use crate::benchmark::auccess::MAX_ATTEMPTS;
@@ -27,7 +27,7 @@ pub struct Turn {
     scene: Scene,
     agent: Box<dyn Agent>,
     engine: Engine,
-    /// Attempts made.
+    /// Number of attempts made.
     used: usize,
     solved: bool,
 }
@@ -43,10 +43,12 @@ impl Turn {
         Turn { scene, agent, engine, used: 0, solved: false }
     }
 
-    /// Simulates the agent's next ball; `None` once the puzzle is solved, all attempts are used or the agent has no
-    /// more balls.
+    /// Simulates the agent's next ball. Returns `None` once the puzzle is solved, all attempts are used or the agent
+    /// has no more balls.
     ///
     /// # Errors
+    ///
+    /// If the agent proposes an invalid ball.
     /// If the agent proposes an invalid ball.
     pub fn attempt(&mut self) -> Result<Option<(Proposal, Rollout)>, Invalid> {
         if self.solved || self.used == MAX_ATTEMPTS {
@@ -61,9 +63,10 @@ impl Turn {
         Ok(Some((proposal, rollout)))
     }
 
-    /// Makes the rest of the attempts. Returns the number, from 1, of the one that solved the puzzle, if any did.
+    /// Makes the remaining attempts. Returns the number, from 1, of the attempt that solved the puzzle, if any.
     ///
     /// # Errors
+    ///
     /// If the agent proposes an invalid ball.
     pub fn first_solved(mut self) -> Result<Option<usize>, Invalid> {
         while self.attempt()?.is_some() {}
@@ -81,7 +84,7 @@ mod tests {
     use crate::puzzle::task::Task;
     use crate::simulator::simulate;
 
-    /// Proposes these balls, last first, and passes on what it observes.
+    /// Proposes these balls, last first, and passes on its observations.
     struct Witness(Vec<Ball>, Sender<Observation>);
 
     impl Agent for Witness {

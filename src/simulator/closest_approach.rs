@@ -1,4 +1,4 @@
-//! How near the green object came to its goal in a rollout, and when: what a person is told after a miss.
+//! How near the green object came to its goal in a rollout, and when. The page shows this after a miss.
 
 use rapier2d::math::Vector;
 use serde::{Deserialize, Serialize};
@@ -11,11 +11,11 @@ use crate::puzzle::scene::Scene;
 /// The moment at which the green object was nearest to its goal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClosestApproach {
-    /// The first such step.
+    /// The first step with the smallest distance.
     pub step: usize,
     /// Distance of their surfaces, px; 0 if they overlap.
     pub gap: f64,
-    /// The points of the object and of the goal that were so near, px; the same point if they overlap.
+    /// The nearest points of the object and of the goal at that step, px; the same point if they overlap.
     pub points: [[f64; 2]; 2],
 }
 
@@ -86,7 +86,7 @@ mod tests {
             for rollout in balls.filter_map(|ball| simulate(&task.scene, Some(ball)).ok()) {
                 let closest = closest_approach(&task.scene, &rollout);
                 let touched = rollout.touching.contains(&true);
-                // Contacts begin within the skins of both: two of 0.01 m, and Box2D's slop.
+                // Contacts begin within the skins of both bodies: two of 0.01 m, and Box2D's slop.
                 assert_eq!(touched, closest.gap < 0.2, "{}: {closest:?}", task.id);
                 counts[usize::from(touched)] += 1;
             }

@@ -1,6 +1,6 @@
-//! Distances between bodies where they stand. Not part of a step.
+//! Distances between bodies at given poses. Not part of a step.
 //!
-//! Distances are rapier's, between the surfaces as they are drawn: without the skin of polygons.
+//! Distances are rapier's, between the surfaces as drawn: without the skin of polygons.
 
 use rapier2d::geometry::SharedShape;
 use rapier2d::math::{Pose as Frame, Rotation, Vector};
@@ -10,7 +10,7 @@ use super::units::{PX_PER_METRE, metres, point_in_metres};
 use crate::puzzle::rollout::Pose;
 use crate::puzzle::scene::{Body, Shape};
 
-/// The shapes of a body as rapier has them, each with its place in the frame of the body's origin.
+/// The shapes of a body in rapier's form, each with its position in the frame of the body's origin.
 pub(super) struct Outline(pub(super) Vec<(SharedShape, Frame)>);
 
 impl Outline {
@@ -22,8 +22,8 @@ impl Outline {
         Outline(body.shapes.iter().map(part).collect())
     }
 
-    /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; the
-    /// same point twice if they overlap.
+    /// Returns the nearest points of this body and another at these poses, m, if they are less than `limit` apart, m;
+    /// the same point twice if they overlap.
     pub(super) fn nearest_points(
         &self,
         pose: Pose,
@@ -64,7 +64,7 @@ pub fn distance(a: &Body, b: &Body) -> f64 {
     nearest.map_or(f64::INFINITY, |[p, q]| f64::from((q - p).length() * PX_PER_METRE))
 }
 
-/// Returns where a body stands in its scene.
+/// Returns the pose of a body at the start of its scene.
 pub(super) fn pose_of(body: &Body) -> Pose {
     [body.x, body.y, body.angle].map(|value| value as f32)
 }

@@ -1,7 +1,7 @@
-//! The engines by name: a scene and perhaps a ball in, a rollout out, whichever computes it.
+//! The engines by name. Every engine turns a scene and an optional ball into a rollout.
 //!
-//! The first is the port of Box2D, on which everything else stands; rapier2d's own pipeline is a second opinion.
-//! The wasm leaves it out: with it, the compressed wasm would be some 360 kB, or two thirds, larger.
+//! The first engine is the port of Box2D, on which everything else is based. rapier2d's own pipeline serves as a second
+//! opinion. The wasm omits it: it would make the compressed wasm some 360 kB, or two thirds, larger.
 
 use std::fmt;
 use std::str::FromStr;
@@ -18,7 +18,7 @@ use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 
-/// What computes a rollout.
+/// An engine that computes rollouts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", try_from = "String")]
 pub enum Engine {
@@ -30,25 +30,25 @@ pub enum Engine {
     Rapier,
 }
 
-/// A name that no engine has.
+/// A name that belongs to no engine.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the engine {0} is not known here; the engines are box2d and, in the native program alone, rapier")]
+#[error("unknown engine {0}: the engines are box2d and, only in the native program, rapier")]
 pub struct UnknownEngine(String);
 
 impl Engine {
-    /// All engines that are there.
+    /// All available engines.
     pub const ALL: &[Engine] = &[
         Engine::Box2d,
         #[cfg(not(target_arch = "wasm32"))]
         Engine::Rapier,
     ];
 
-    /// Whether it is `box2d`, which output does not name.
+    /// Returns whether this is `box2d`, which output does not name.
     pub fn is_first(&self) -> bool {
         *self == Engine::default()
     }
 
-    /// Returns the version of its rollouts, raised whenever any of them changes.
+    /// Returns the version of the engine's rollouts, which is raised whenever any of them changes.
     pub fn version(self) -> u32 {
         match self {
             Engine::Box2d => VERSION,
@@ -57,7 +57,7 @@ impl Engine {
         }
     }
 
-    /// Returns the name that the command line and the attempts give it.
+    /// Returns the engine's name on the command line and in attempts.
     pub fn name(self) -> &'static str {
         match self {
             Engine::Box2d => "box2d",

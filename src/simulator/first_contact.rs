@@ -1,4 +1,4 @@
-//! When and where the ball first touches the green object in a rollout. The page draws a spark there.
+//! The first contact of the ball with the green object in a rollout: when and where. The page draws a spark there.
 
 use rapier2d::math::Vector;
 use serde::{Deserialize, Serialize};
@@ -9,15 +9,15 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 
-/// Surfaces that are nearer than this touch, px. Between two steps a fast ball goes farther.
+/// Surfaces that are closer than this touch, px. Between two steps, a fast ball moves farther.
 const TOUCHING: f64 = 0.5;
 
 /// A contact of the ball with the green object.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
-    /// The first such step.
+    /// The step of the contact.
     pub step: usize,
-    /// Where, on the surface of the ball, px.
+    /// The point of contact on the surface of the ball, px.
     pub point: [f64; 2],
 }
 
@@ -31,7 +31,7 @@ pub fn first_contact(scene: &Scene, ball: Ball, rollout: &Rollout) -> Option<Con
         let ball_pose = rollout.pose(step, scene.bodies.len())?;
         outline.nearest_points(object_pose, &ball_outline, ball_pose, limit)?;
         let centre = Vector::new(ball_pose[0], ball_pose[1]);
-        // The ball may have moved into the object within a step.
+        // The ball may have penetrated the object within a step.
         let nearest = outline.nearest_on_surface(object_pose, centre / PX_PER_METRE)?;
         let towards = nearest * PX_PER_METRE - centre;
         let point = centre + towards * (ball.r as f32 / towards.length().max(f32::EPSILON));
@@ -54,7 +54,7 @@ mod tests {
         let contact = first_contact(&scene, above, &simulate(&scene, Some(above)).expect("valid")).expect("a contact");
         assert!((contact.point[0] - object.x).abs() < 1.0, "{contact:?}");
         assert!(contact.step > 10);
-        // At this step the ball has already moved into the bar.
+        // At this step, the ball has already penetrated the bar.
         let scene = Task::load("00003:005".parse().expect("an id")).expect("a task").scene;
         let ball = Ball { x: 119.0, y: 150.0, r: 19.0 };
         let rollout = simulate(&scene, Some(ball)).expect("valid");

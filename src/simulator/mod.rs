@@ -1,10 +1,10 @@
-//! The simulator: a scene and perhaps a ball in, the complete rollout out.
+//! The simulator: turns a scene and an optional ball into a complete rollout.
 //!
-//! `box2d` is PHYRE's engine, to the last bit; `simulation` builds its world from a scene, steps it, and decides when
-//! the goal is reached. Results are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and
-//! no order that depends on a hash. The only user of rapier2d, which supplies vectors and bounding boxes, the distances
-//! between bodies as they are drawn (`distance`, `closest_approach`, `first_contact`), and with its own pipeline a
-//! second engine behind the same interface (`rapier_world`, `engine`), natively only. Used by `session`, `search`,
+//! `box2d` is PHYRE's engine, to the last bit. `simulation` builds the world of a scene, steps it, and decides when the
+//! goal is reached. Results are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no
+//! order that depends on a hash. This folder is the only user of rapier2d, which supplies vectors and bounding boxes,
+//! the distances between bodies as drawn (`distance`, `closest_approach`, `first_contact`), and, natively only, its own
+//! pipeline as a second engine behind the same interface (`rapier_world`, `engine`). Used by `session`, `search`,
 //! `verification`, `web`, `commands` and the lab. Must not depend on tasks, images or nets.
 
 use crate::puzzle::action::{Ball, Invalid};
@@ -32,7 +32,7 @@ mod rapier_world;
 mod simulation;
 pub mod units;
 
-/// Raised whenever any rollout of the first engine changes. Stored in weights and collected data.
+/// Version of the first engine's rollouts, raised whenever any of them changes. Stored in weights and collected data.
 pub const VERSION: u32 = 4;
 
 /// Simulates a scene, with or without a ball. Returns the complete rollout: the pose of every dynamic body at every
@@ -78,10 +78,11 @@ pub fn digest(scene: &Scene, ball: Option<Ball>) -> Result<(Outcome, Digest), In
     Ok(Simulation::<World>::of(scene, ball)?.digest())
 }
 
-/// Simulates like `simulate`, and returns which bodies touched when, by the steps in which they began to.
+/// Simulates like `simulate`, and returns the touches of bodies in the order of their beginnings.
 ///
-/// They touch in a step if the engine has a touching contact of them: where they are before it, or at a time of impact
-/// within. `Rollout::touching` is the same for object and goal, unless both are balls, which may be 0.1 px apart there.
+/// Two bodies touch in a step if the engine has a touching contact of them, either at their positions before the step
+/// or at a time of impact within it. `Rollout::touching` agrees for object and goal, unless both are balls: balls count
+/// as touching there up to a gap of 0.1 px.
 ///
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.

@@ -1,5 +1,5 @@
-//! How deep bodies overlap before the first step, by the contacts that the first step would have. Used to check scenes
-//! that people make.
+//! How deep bodies overlap before the first step, measured by the contacts that the first step would have. Used to
+//! check scenes that people make.
 
 use super::box2d::World;
 use super::simulation::EngineWorld;
@@ -11,11 +11,11 @@ use crate::puzzle::scene::Scene;
 pub struct Overlap {
     /// Their indices in the scene, ascending.
     pub bodies: [usize; 2],
-    /// The penetration depth of their shapes: by how much one would have to move, px.
+    /// The penetration depth of their shapes, px: the distance by which one would have to move.
     pub depth: f64,
 }
 
-/// Returns the pairs of bodies, of which at least one is dynamic, that overlap at the start.
+/// Returns the pairs of bodies that overlap at the start, at least one of them dynamic.
 pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
     let mut world = World::default();
     for body in &scene.bodies {

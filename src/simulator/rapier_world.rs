@@ -1,9 +1,9 @@
-//! rapier2d's own physics pipeline, as the world of the second engine: a second opinion on what a ball does.
+//! rapier2d's own physics pipeline as the world of the second engine: a second opinion on the outcome of a ball.
 //!
-//! Its solver, its parameters and its order are rapier's own (`IntegrationParameters::default`). What the puzzles fix
-//! is PHYRE's: scene, gravity, density, friction, restitution, angular damping and the duration of a step. Bodies are
-//! swept (continuous collision detection), as Box2D's are, and polygons have no skin. rapier computes on one thread,
-//! with libm and without unordered maps (feature `enhanced-determinism`).
+//! The solver, its parameters and its order are rapier's own (`IntegrationParameters::default`). The values that define
+//! the puzzles are PHYRE's: scene, gravity, density, friction, restitution, angular damping and the duration of a step.
+//! Bodies are swept (continuous collision detection), as in Box2D, and polygons have no skin. rapier computes on one
+//! thread, with libm and without unordered maps (feature `enhanced-determinism`).
 
 use rapier2d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
 use rapier2d::geometry::{ColliderBuilder, ColliderHandle};
@@ -20,7 +20,7 @@ pub(crate) struct RapierWorld {
     bodies: Vec<Tracked>,
 }
 
-/// A body, and the angle that rapier's rotation lacks: how often it has turned.
+/// A body, and its full angle including complete turns, which rapier's rotation lacks.
 struct Tracked {
     handle: RigidBodyHandle,
     colliders: Vec<ColliderHandle>,

@@ -1,4 +1,4 @@
-//! A rollout in the world of an engine: what is simulated, for how long, and when the goal is reached.
+//! A rollout in the world of an engine: builds the world, steps it, and decides when the goal is reached.
 
 use std::fmt;
 
@@ -13,18 +13,18 @@ use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPaths};
 use crate::puzzle::scene::{Body, Scene, walls};
 
-/// The world of an engine: what a simulation needs of it. Bodies are named by the order in which they were added.
+/// The interface of an engine's world to a simulation. Bodies are identified by the order in which they were added.
 pub trait EngineWorld: Default {
     /// Adds a body at rest; returns its index.
     fn add(&mut self, body: &Body) -> usize;
 
-    /// Whether any body is awake. Nothing moves otherwise.
+    /// Returns whether any body is awake. Otherwise nothing moves.
     fn is_awake(&self) -> bool;
 
     /// Simulates one `TIME_STEP`.
     fn step(&mut self);
 
-    /// Whether two bodies had a touching contact when it was last updated.
+    /// Returns whether two bodies had a touching contact at its last update.
     fn has_touching_contact(&self, a: usize, b: usize) -> bool;
 
     /// Returns the origin of a body, m.
@@ -39,21 +39,21 @@ pub trait EngineWorld: Default {
 pub struct Outcome {
     /// Whether the task was solved.
     pub solved: bool,
-    /// Number of steps until it was solved, else `MAX_STEPS`.
+    /// Number of steps until it was solved, otherwise `MAX_STEPS`.
     pub steps: usize,
 }
 
-/// A digest of the poses of all bodies after each step: equal digests are equal rollouts, to the bit.
+/// A digest of the poses of all bodies after each step. Equal digests mean equal rollouts, to the bit.
 ///
 /// It is FNV-1a on whole words. The words of a step are x and y of the origin, m, and the angle, radians, of each body,
-/// as the bits of f32, walls first and the ball last; those of the rollout are the digests of its steps. It was taken
-/// in the same way of PHYRE's Box2D, so a recorded rollout needs no more than this to be compared with.
+/// as the bits of f32, walls first and the ball last. The words of the rollout are the digests of its steps. PHYRE's
+/// Box2D was recorded with the same digest, so a recorded rollout can be compared by its digest alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Digest(u64);
 
 impl Digest {
     fn add_step(&mut self, numbers: impl Iterator<Item = f32>) {
-        // The first is FNV's offset basis with its last digit left out, as in many copies of it.
+        // FNV's offset basis without its last digit, as in many copies of it.
         const BASIS: u64 = 1_469_598_103_934_665_603;
         let hash = |digest: u64, word: u64| (digest ^ word).wrapping_mul(0x0100_0000_01b3);
         let step = numbers.map(|number| u64::from(number.to_bits())).fold(BASIS, hash);
@@ -62,22 +62,22 @@ impl Digest {
 }
 
 impl fmt::Display for Digest {
-    /// 16 hexadecimal digits.
+    /// Writes 16 hexadecimal digits.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:016x}", self.0)
     }
 }
 
-/// A rollout before its first step: the world of a scene, and what decides whether its goal is reached.
+/// A rollout before its first step: the world of a scene, and the condition for reaching its goal.
 pub struct Simulation<W = World> {
     world: W,
-    /// Bodies of the world: walls, those of the scene, and the ball.
+    /// Number of bodies in the world: the walls, the scene's bodies, and the ball.
     body_count: usize,
     /// The dynamic bodies: index in the scene and index in the world.
     dynamic_bodies: Vec<(usize, usize)>,
     /// The green object and its goal: indices in the world.
     goal: [usize; 2],
-    /// If both are balls: they touch when their centres are nearer than this, m.
+    /// Distance between their centres below which they touch, m, if both are balls.
     touch_distance: Option<f32>,
 }
 
@@ -90,13 +90,13 @@ impl Simulation {
         Simulation::of(scene, ball)
     }
 
-    /// Runs to the end, and returns which bodies touched when.
+    /// Runs to the end, and returns the touches of bodies.
     pub(super) fn contacts(self) -> Vec<ContactEvent> {
         let mut log = ContactLog::default();
         let mut step = 0;
         let Outcome { steps, .. } = self.run_with(|simulation, _| {
             let (count, walls) = (simulation.body_count, walls().len());
-            // The walls are the first in the world, and the last here.
+            // The walls are first in the world, and last here.
             let place = |body| (body + count - walls) % count;
             let pairs = simulation.world.touching_pairs().map(|pair| pair.map(place));
             log.add_step(step, &pairs.map(|[a, b]| [a.min(b), a.max(b)]).collect());
@@ -131,7 +131,7 @@ impl<W: EngineWorld> Simulation<W> {
         Ok(Simulation { world, body_count, dynamic_bodies, goal, touch_distance })
     }
 
-    /// Steps until the task is solved, or cannot be any more: all bodies sleep, or too few steps are left.
+    /// Steps until the task is solved or can no longer be: all bodies sleep, or too few steps are left.
     pub fn run(mut self) -> Outcome {
         let mut touch_steps = 0;
         for steps in 1..=MAX_STEPS {
@@ -174,7 +174,7 @@ impl<W: EngineWorld> Simulation<W> {
         (outcome, digest)
     }
 
-    /// Runs to the end, and keeps the sampled paths of the green object and of the ball, which there has to be.
+    /// Runs to the end, and keeps the sampled paths of the green object and of the ball, which must exist.
     pub(super) fn sampled_paths(self) -> (Outcome, SampledPaths) {
         let &(_, ball) = self.dynamic_bodies.last().expect("the ball moves");
         let object = self.goal[0];
@@ -193,7 +193,7 @@ impl<W: EngineWorld> Simulation<W> {
         (outcome, paths)
     }
 
-    /// Steps until the task is solved or `MAX_STEPS` are over. Calls `on_step` for the start and after each step, with
+    /// Steps until the task is solved or `MAX_STEPS` are over. Calls `on_step` at the start and after each step, with
     /// whether the object touches the goal.
     fn run_with(mut self, mut on_step: impl FnMut(&Simulation<W>, bool)) -> Outcome {
         on_step(&self, self.touches());
@@ -209,7 +209,7 @@ impl<W: EngineWorld> Simulation<W> {
         Outcome { solved: false, steps: MAX_STEPS }
     }
 
-    /// Simulates a step. Returns whether the object touches the goal after it.
+    /// Simulates one step. Returns whether the object touches the goal after it.
     fn step(&mut self) -> bool {
         // When all bodies sleep, nothing moves and no contact changes.
         if self.world.is_awake() {

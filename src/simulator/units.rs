@@ -1,6 +1,6 @@
-//! Lengths: px outside of this folder, metres within.
+//! Units of length: px outside this folder, metres inside.
 //!
-//! PHYRE rounds a length in px to single precision before it divides. To divide first would change the last bit of two
+//! PHYRE rounds a length in px to single precision before dividing it. Dividing first would change the last bit of two
 //! coordinates in five, and with it nearly every rollout.
 
 use rapier2d::math::Vector;

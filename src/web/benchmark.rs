@@ -1,4 +1,4 @@
-//! The benchmark: its templates and tasks, how hard they are, its folds, and the figures that agents are compared by.
+//! The benchmark: its templates and tasks, their difficulty, its folds, and the scores for comparing agents.
 
 use js_sys::{Array, Number};
 use serde_json::json;
@@ -26,7 +26,7 @@ pub fn templates() -> Result<JsValue, JsValue> {
     to_js(&templates.collect::<Vec<_>>())
 }
 
-/// Returns how hard a task is.
+/// Returns the difficulty of a task.
 #[wasm_bindgen(unchecked_return_type = "Difficulty")]
 pub fn difficulty(id: &str) -> Result<JsValue, JsValue> {
     let id: TaskId = id.parse().map_err(|reason: TaskError| error(Code::BadTask, reason))?;
@@ -54,17 +54,18 @@ pub fn fold(
     to_js(&json!({"train": train, "dev": dev, "test": test}))
 }
 
-/// Returns PHYRE's auccess, 0..=100, of an agent, from the attempt (from 1) that first solved each task, or null.
+/// Returns PHYRE's auccess, 0..=100, of an agent. The argument holds, for each task, the number (from 1) of the attempt
+/// that first solved it, or null.
 #[wasm_bindgen]
 pub fn auccess(
     #[wasm_bindgen(unchecked_param_type = "(number | null)[]")] first_solved: &JsValue,
 ) -> Result<f64, JsValue> {
     const RULE: &str = "the number of the first attempt that solved the task, counted from 1, or null";
-    let list = || error(Code::BadData, format!("auccess takes an array: for each task {RULE}"));
+    let list = || error(Code::BadData, format!("auccess takes an array with, for each task, {RULE}"));
     let firsts: &Array = first_solved.dyn_ref().ok_or_else(list)?;
     let attempt = |(index, first): (usize, JsValue)| -> Result<Option<usize>, JsValue> {
         let first = Some(first).filter(|first| !first.is_null() && !first.is_undefined());
-        let rule = format_args!("item {index} has to be {RULE}");
+        let rule = format_args!("item {index} must be {RULE}");
         first.map(|first| whole_number(&first, 1..=u32::MAX, rule).map(|number| number as usize)).transpose()
     };
     let attempts = firsts.iter().enumerate().map(attempt).collect::<Result<Vec<_>, _>>()?;

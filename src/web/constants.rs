@@ -1,4 +1,5 @@
-//! What the page's modules know of the wasm from their first line on: `scripts/constants.mjs` writes it to a module.
+//! The constants that the page's modules need before the wasm is loaded. `scripts/constants.mjs` writes them to a
+//! module.
 
 use serde_json::json;
 use wasm_bindgen::prelude::*;
@@ -18,7 +19,7 @@ use crate::raster::{PX_PER_CELL, SIDE};
 pub fn constants() -> Result<JsValue, JsValue> {
     to_js(&json!({
         "scene_size": SIZE,
-        // The cells of a map along a side, and the side of a cell.
+        // The number of cells along a side of a map, and the side of a cell.
         "grid_side": SIDE,
         "cell_size": PX_PER_CELL,
         "min_radius": RADIUS.start(),

@@ -1,4 +1,4 @@
-//! The exports for those who make scenes: a task as a custom scene, its problems, the limits, and how it looks.
+//! Exports for making scenes: a task as a custom scene, its problems, the limits, and its drawing.
 
 use std::ops::RangeInclusive;
 
@@ -15,22 +15,22 @@ use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIG
 use crate::session::puzzle::Puzzle;
 use crate::session::scene_check::problems;
 
-/// Returns a puzzle in the form of custom scenes, in which it can be changed.
+/// Returns a puzzle as a custom scene, which can be edited.
 #[wasm_bindgen(js_name = customScene, unchecked_return_type = "CustomScene")]
 pub fn custom_scene(puzzle: JsPuzzle) -> Result<JsValue, JsValue> {
     let puzzle = load(&puzzle)?;
     let custom = puzzle.custom.or_else(|| CustomScene::of(&puzzle.scene));
-    to_js(&custom.ok_or_else(|| error(Code::BadScene, "the scene has a body of no known shape"))?)
+    to_js(&custom.ok_or_else(|| error(Code::BadScene, "the scene has a body of an unknown shape"))?)
 }
 
-/// Returns reasons why a value cannot be played as a custom scene; an empty list if it can. Never fails: that a value
-/// is no scene at all is such a reason.
+/// Returns the reasons why a value cannot be played as a custom scene; an empty list if it can. Never throws: a value
+/// that is not a scene at all is reported the same way.
 #[wasm_bindgen(js_name = sceneProblems, unchecked_return_type = "SceneProblem[]")]
 pub fn scene_problems(#[wasm_bindgen(unchecked_param_type = "unknown")] value: &JsValue) -> Result<JsValue, JsValue> {
     to_js(&CustomScene::read(data::json(value)).map_or_else(|problems| problems, |custom| problems(&custom)))
 }
 
-/// Returns the SHA-256, in hexadecimal, of a custom scene without its name: equal for scenes that play alike.
+/// Returns the SHA-256, in hexadecimal, of a custom scene without its name. It is equal for scenes that play alike.
 #[wasm_bindgen(js_name = sceneDigest)]
 pub fn scene_digest(#[wasm_bindgen(unchecked_param_type = "CustomScene")] scene: &JsValue) -> Result<String, JsValue> {
     let puzzle = Puzzle::read(data::json(scene)).map_err(|problems| bad_scene(&problems))?;
@@ -53,8 +53,8 @@ pub fn scene_limits() -> Result<JsValue, JsValue> {
     }))
 }
 
-/// Draws a custom scene as it is being made into a square canvas, also one that may not be played: the scene, the maps
-/// over it, and the ball of the view.
+/// Draws a custom scene during editing into a square canvas: the scene, the maps over it, and the ball of the view. The
+/// scene need not be playable.
 #[wasm_bindgen(js_name = paintEditedScene)]
 pub fn paint_edited_scene(
     context: &CanvasRenderingContext2d,
@@ -68,7 +68,7 @@ pub fn paint_edited_scene(
     }
     let lengths = custom.bodies.iter().flat_map(|body| body.dimensions.lengths());
     if let Some((name, length, _)) = lengths.into_iter().find(|(_, length, _)| *length <= 0.0) {
-        return Err(error(Code::BadScene, format!("the {name} of a body is {length}, but has to be positive")));
+        return Err(error(Code::BadScene, format!("the {name} of a body is {length}, but must be positive")));
     }
     let scene = custom.to_scene();
     let mut view: View = from_js(view)?;

@@ -1,4 +1,5 @@
-//! Data between Rust and JavaScript: plain objects with the field names of the Rust types, typed arrays, and JSON.
+//! Conversion of data between Rust and JavaScript: plain objects with the field names of the Rust types, typed arrays,
+//! and JSON.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -17,7 +18,7 @@ use crate::puzzle::sampled_paths::{SampledPath, SampledPaths};
 #[derive(Serialize)]
 pub(crate) struct Typed<Array: JsCast>(#[serde(with = "serde_wasm_bindgen::preserve")] pub Array);
 
-/// Sampled paths, of each x and y in turn.
+/// Sampled paths as typed arrays, each with x and y alternating.
 #[derive(Serialize)]
 pub(crate) struct TypedPaths {
     object: Typed<Float32Array>,
@@ -47,16 +48,19 @@ pub(crate) fn from_js<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue>
     serde_wasm_bindgen::from_value(value).map_err(|reason| error(Code::BadData, reason))
 }
 
-/// Returns a foreign value as JSON; null if it has none, or is nested so deep that converting it overflows the stack.
+/// Returns a foreign value as JSON. Returns null if it has no JSON form, or is nested so deeply that conversion
+/// overflows the stack.
 pub(crate) fn json(value: &JsValue) -> Value {
     let text = JSON::stringify(value).ok().and_then(|text| text.as_string());
     text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
 }
 
-/// Returns a whole number. It comes as JavaScript's value, because wasm-bindgen would wrap or truncate others.
+/// Returns a whole number. It is passed as a JavaScript value, because wasm-bindgen would wrap or truncate invalid
+/// ones.
 ///
 /// # Errors
-/// `bad_data` if it is not a whole number in the range; `rule` says what it has to be.
+///
+/// `bad_data` if it is not a whole number in the range; `rule` states the requirement.
 pub(crate) fn whole_number(value: &JsValue, range: RangeInclusive<u32>, rule: impl Display) -> Result<u32, JsValue> {
     let range = f64::from(*range.start())..=f64::from(*range.end());
     let number = value.as_f64().filter(|number| number.fract() == 0.0 && range.contains(number));
@@ -64,7 +68,7 @@ pub(crate) fn whole_number(value: &JsValue, range: RangeInclusive<u32>, rule: im
     number.map(|number| number as u32).ok_or_else(refused)
 }
 
-/// Returns a value that is no text as a person would write it, for the error that names it.
+/// Formats a value that is not a string as a person would write it, for the error that names it.
 pub(crate) fn written(value: &JsValue) -> String {
     // JSON has no NaN and no infinity.
     let number = value.as_f64().map(|number| number.to_string());

@@ -1,4 +1,5 @@
-//! Errors for JavaScript: an `Error` whose message is a sentence and whose `code` is stable. A panic is one too.
+//! Errors for JavaScript: an `Error` whose message is a sentence and whose `code` is stable. Panics are reported the
+//! same way.
 
 use std::fmt::Display;
 use std::panic;
@@ -7,7 +8,7 @@ use js_sys::Reflect;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// What went wrong, for code that handles it; people read the sentence. `types.d.ts` says what each means.
+/// What went wrong, for code that handles errors; the sentence is for people. `types.d.ts` documents each code.
 #[derive(Clone, Copy, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Code {
@@ -31,9 +32,9 @@ pub(crate) fn error(code: Code, sentence: impl Display) -> JsValue {
     error.into()
 }
 
-/// Lets a panic throw an `Error` with its message, where wasm alone would throw `RuntimeError: unreachable`. It is
-/// thrown by the panic hook, so nothing is unwound: the instance must not be used again. wasm-bindgen calls this when
-/// the module is instantiated.
+/// Makes a panic throw an `Error` with its message, where wasm alone would throw `RuntimeError: unreachable`. The panic
+/// hook throws it, so nothing is unwound, and the instance must not be used again. wasm-bindgen calls this when the
+/// module is instantiated.
 #[wasm_bindgen(start)]
 pub fn throw_panics() {
     panic::set_hook(Box::new(|info| {

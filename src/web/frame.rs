@@ -1,5 +1,4 @@
-//! One frame: what it shows, and the order in which its layers are drawn. `paint`, `marks` and `imagined` do the
-//! drawing.
+//! A frame: its content, and the order in which its layers are drawn. `paint`, `marks` and `imagined` do the drawing.
 //!
 //! From the bottom: ribbons, static bodies, maps, imagined paths, paths, dynamic bodies, balls, names, the closest
 //! approach, ghosts, the spark, marks, the sketch, and the ring or the ball that is being placed.
@@ -23,13 +22,13 @@ use crate::simulator::{ClosestApproach, Contact};
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;
 
-/// How far poses of a body are apart that lies elsewhere: x and y, px, and the angle, radians.
+/// Difference from which two poses of a body count as apart: x and y, px, and the angle, radians.
 const APART: [f32; 3] = [1.0, 1.0, 0.03];
 
-/// How long a spark is seen, steps.
+/// Time for which a spark is visible, steps.
 const SPARK_STEPS: f64 = 20.0;
 
-/// What a frame shows; `types.d.ts` describes it.
+/// The content of a frame; documented in `types.d.ts`.
 #[derive(Default, Deserialize)]
 #[serde(default)]
 pub(crate) struct View {
@@ -49,7 +48,7 @@ pub(crate) struct View {
     names: Vec<String>,
 }
 
-/// A rollout that is shown.
+/// A rollout to show.
 pub(crate) struct Recording {
     /// `None` if the scene runs without a ball.
     pub ball: Option<Ball>,
@@ -59,7 +58,8 @@ pub(crate) struct Recording {
 }
 
 impl Recording {
-    /// Returns the pose of a dynamic body at a step; a fraction is interpolated, and the last step holds afterwards.
+    /// Returns the pose of a dynamic body at a step. Fractional steps are interpolated, and the last step holds
+    /// afterwards.
     fn pose(&self, step: f64, body: usize) -> Option<Pose> {
         let step = step.clamp(0.0, self.rollout.steps as f64);
         let before = self.rollout.pose(step.floor() as usize, body)?;
@@ -76,14 +76,14 @@ impl Recording {
     }
 }
 
-/// Draws the scene of a puzzle so that it fills a square canvas.
+/// Draws the scene of a puzzle to fill a square canvas.
 #[wasm_bindgen(js_name = paintThumbnail)]
 pub fn paint_thumbnail(context: &CanvasRenderingContext2d, puzzle: JsPuzzle, dark: bool) -> Result<(), JsValue> {
     paint(context, &load(&puzzle)?.scene, &[], &View { dark, ..View::default() }, &[])
 }
 
-/// Draws a frame: the first of `recordings` with its bodies, the others as outlines over it. The context keeps its
-/// settings: the caller may draw more, in units of the canvas.
+/// Draws a frame: the first of `recordings` with its bodies, and any further ones as outlines over it. The context
+/// keeps its settings, so the caller can draw more, in units of the canvas.
 pub(crate) fn paint(
     context: &CanvasRenderingContext2d,
     scene: &Scene,
@@ -139,7 +139,8 @@ impl Frame<'_> {
         }
         for (index, (recording, name)) in recordings.iter().zip(&view.names).enumerate() {
             if let (Some(Ball { r, .. }), Some([x, y, _])) = (recording.ball, recording.pose(view.step, ball)) {
-                // Above the first ball and below the second, so that names of balls at one place are both read.
+                // Above the first ball and below the second, so that the names of two balls at the same place are both
+                // readable.
                 let away = if index == 0 { r } else { -r - NAME_HEIGHT };
                 painter.name(name, [x.into(), f64::from(y) + away])?;
             }
@@ -171,7 +172,7 @@ impl Frame<'_> {
         }
     }
 
-    /// Draws the static or the dynamic bodies, where the first rollout has them.
+    /// Draws the static or the dynamic bodies, at their poses in the first rollout.
     fn bodies(&self, dynamic: bool) -> Result<(), JsValue> {
         let mut bodies = self.scene.bodies.iter().enumerate().filter(|(_, body)| body.dynamic == dynamic);
         bodies.try_for_each(|(index, body)| {
@@ -180,7 +181,8 @@ impl Frame<'_> {
         })
     }
 
-    /// Draws the ball of a rollout; over the first one only its outline, with the bodies that lie elsewhere as ghosts.
+    /// Draws the ball of a rollout. Over the first rollout, draws only its outline, with the bodies that lie elsewhere
+    /// as ghosts.
     fn ball(&self, recording: &Recording, is_over: bool) -> Result<(), JsValue> {
         let Frame { painter, scene, view, .. } = self;
         for (index, body) in scene.bodies.iter().enumerate().filter(|_| is_over) {
@@ -205,12 +207,12 @@ impl Frame<'_> {
         }
     }
 
-    /// Draws the progress ring round the green object while it touches the goal.
+    /// Draws the progress ring around the green object while it touches the goal.
     fn ring(&self, recording: &Recording) -> Result<(), JsValue> {
         let streak = touch_streak(&recording.rollout, self.view.step as usize);
         match recording.pose(self.view.step, self.scene.body1) {
             Some([x, y, _]) if streak > 0 => {
-                // On the object also where the edge of the scene cuts the ring off.
+                // Capped, so that the ring lies on the object even where the edge of the scene cuts it off.
                 let radius = bounding_radius(&self.scene.bodies[self.scene.body1]).min(24.0) + 5.0;
                 self.painter.ring([x.into(), y.into()], radius, streak as f64 / GOAL_STEPS as f64)
             }

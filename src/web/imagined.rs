@@ -1,5 +1,5 @@
-//! Draws what the model imagines for a ball: each path as a dotted line in a ribbon as wide as it is expected to be
-//! wrong, and ghosts of the bodies on it. Real paths are solid and have no ribbon.
+//! Draws what the model imagines for a ball: each path as a dotted line in a ribbon whose width is the expected error,
+//! and ghosts of the bodies along it. Real paths are solid and have no ribbon.
 
 use std::f64::consts::TAU;
 use std::iter;
@@ -11,26 +11,26 @@ use super::paint::{Line, Painter, bounding_radius};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::{Body, Scene};
 
-/// The parts of a ribbon: width, in expected errors, and opacity, 0..=1. They lie over each other, so that it fades
+/// The parts of a ribbon: width, in expected errors, and opacity, 0..=1. They overlap, so that the ribbon fades
 /// outwards.
 const RIBBON_PARTS: [(f64, f64); 2] = [(1.0, 0.1), (0.5, 0.12)];
 
 /// Opacity of a ghost, 0..=1.
 const GHOST_OPACITY: f64 = 0.75;
 
-/// Distance between ghosts, in radii of the body.
+/// Distance between ghosts, in multiples of the body's radius.
 const GHOST_SPACING: f64 = 3.0;
 
-/// Radius of the dot that stands for a body whose rotation is not imagined, px.
+/// Radius of the dot for a body whose rotation is not imagined, px.
 const DOT_RADIUS: f64 = 2.4;
 
-/// Width of a path that is only hinted at, px.
+/// Width of a faint path, px.
 const HINT_WIDTH: f64 = 1.2;
 
-/// The imagined paths of one ball, as `Model.imagineBall` returns them: x and y in turn, px.
+/// The imagined paths of one ball, as returned by `Model.imagineBall`: x and y alternating, px.
 #[derive(Deserialize)]
 pub(crate) struct Imagined {
-    /// The ball that they are imagined for.
+    /// The ball of these paths.
     of: Ball,
     object: Vec<f32>,
     ball: Vec<f32>,
@@ -38,7 +38,7 @@ pub(crate) struct Imagined {
     errors: Vec<f32>,
 }
 
-/// An imagined path of the green object that is only hinted at: x and y in turn, px.
+/// An imagined path of the green object to draw faintly: x and y alternating, px.
 #[derive(Deserialize)]
 pub(crate) struct Hint {
     object: Vec<f64>,
@@ -49,7 +49,7 @@ pub(crate) struct Hint {
 /// The imagined path of one body, from its start.
 struct Track {
     body: Body,
-    /// Where the body is imagined, and how far off that is expected to be, px.
+    /// The imagined positions of the body, and their expected errors, px.
     places: Vec<[f64; 2]>,
     errors: Vec<f64>,
 }
@@ -62,7 +62,7 @@ impl Track {
         Track { places: places.collect(), errors: errors.collect(), body }
     }
 
-    /// Returns the places of its ghosts: some distance apart, and the last.
+    /// Returns the positions of its ghosts: some distance apart, including the last.
     fn ghosts(&self) -> Vec<[f64; 2]> {
         let spacing = GHOST_SPACING * bounding_radius(&self.body);
         let far = |[x, y]: [f64; 2], [u, v]: [f64; 2]| libm::hypot(x - u, y - v) >= spacing;
@@ -102,16 +102,16 @@ impl Painter<'_> {
         tracks(scene, imagined).into_iter().try_for_each(line)
     }
 
-    /// Draws an imagined path of the green object, without a ribbon.
+    /// Draws an imagined path of the green object faintly, without a ribbon.
     pub(crate) fn hint(&self, scene: &Scene, hint: &Hint) -> Result<(), JsValue> {
         let object = &scene.bodies[scene.body1];
         self.lines(iter::once([object.x, object.y]).chain(hint.object.as_chunks().0.iter().copied()));
-        // Forty dotted lines over each other would be a cloud.
+        // Forty dotted lines on top of each other would blur into a cloud.
         self.faded(hint.opacity, || self.stroke(self.palette.role(object.role), HINT_WIDTH, Line::Solid))
     }
 
-    /// Draws ghosts of the green object and of the ball all along their paths: the outline of a ball, and of another
-    /// body only a dot, because its rotation is not imagined.
+    /// Draws ghosts of the green object and of the ball along their paths. A ball has an outline; any other body is
+    /// only a dot, because its rotation is not imagined.
     pub(crate) fn ghosts(&self, scene: &Scene, imagined: &Imagined) -> Result<(), JsValue> {
         for track in tracks(scene, imagined) {
             let colour = self.palette.role(track.body.role);
@@ -127,7 +127,7 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Fills discs around the points of a path, and what lies between them. Their radii are a multiple of the expected
+    /// Fills discs around the points of a path, and the areas between them. Their radii are a multiple of the expected
     /// errors.
     fn ribbon(&self, track: &Track, width: f64) -> Result<(), JsValue> {
         let context = self.context;

@@ -1,4 +1,4 @@
-//! Draws maps on canvases of their own, of which `frame` lays some over the scene. Row 0 of a map is the bottom.
+//! Draws maps on separate canvases, some of which `frame` overlays on the scene. Row 0 of a map is the bottom.
 
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::{CanvasRenderingContext2d, ImageData};
@@ -26,8 +26,8 @@ pub fn paint_map(
     put_pixels(context, &pixels, SIDE)
 }
 
-/// Draws a map of outcomes, as `SolveMap.outcomes` returns it, into a canvas of 256 x 256 pixels: 4 x 4 for each cell,
-/// so that each outcome has a pattern beside its colour.
+/// Draws a map of outcomes, as returned by `SolveMap.outcomes`, into a canvas of 256 x 256 pixels: 4 x 4 for each cell,
+/// so that each outcome has a pattern in addition to its colour.
 #[wasm_bindgen(js_name = paintOutcomes)]
 pub fn paint_outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark: bool) -> Result<(), JsValue> {
     check_size(outcomes.len())?;

@@ -1,4 +1,4 @@
-//! Marks on top of a scene: other balls, whose ball is whose, contacts and gaps, and what a person has drawn.
+//! Marks on top of a scene: other balls, names, contacts and gaps, and drawings by people.
 
 use std::f64::consts::TAU;
 
@@ -12,14 +12,14 @@ use crate::puzzle::scene::{Body, Role, SIZE};
 /// Rays of a spark.
 const RAYS: u32 = 8;
 
-/// Width and opacity of the band under a path of the model's, and width of the rim round its ball, px.
+/// Width and opacity of the band under a path of the model, and width of the rim around its ball, px.
 const MODEL_BAND: (f64, f64) = (6.0, 0.35);
 const MODEL_RIM: f64 = 3.0;
 
 /// Opacity of a body that the model has moved, 0..=1.
 const GHOST_BODY_OPACITY: f64 = 0.3;
 
-/// px of the scene
+/// Height of a name, px of the scene.
 pub(super) const NAME_HEIGHT: f64 = 9.0;
 
 impl Painter<'_> {
@@ -30,20 +30,20 @@ impl Painter<'_> {
         self.stroke(self.palette.ink, 0.9, Line::Solid)
     }
 
-    /// Marks a path of the model's with a band in its colour, on which the path itself is drawn.
+    /// Marks a path of the model with a band in the model's colour; the path itself is drawn on top.
     pub(crate) fn model_path(&self, points: impl Iterator<Item = [f64; 2]>) -> Result<(), JsValue> {
         let (width, opacity) = MODEL_BAND;
         self.lines(points);
         self.faded(opacity, || self.stroke(self.palette.model, width, Line::Solid))
     }
 
-    /// Marks the model's ball with a rim in its colour.
+    /// Marks the model's ball with a rim in the model's colour.
     pub(crate) fn model_rim(&self, place: [f64; 2], radius: f64) -> Result<(), JsValue> {
         self.circle(place, radius + MODEL_RIM / 2.0)?;
         self.stroke(self.palette.model, MODEL_RIM, Line::Solid)
     }
 
-    /// Draws a body where the model's rollout has moved it: pale, with a rim in the model's colour.
+    /// Draws a body at the pose to which the model's rollout has moved it: pale, with a rim in the model's colour.
     pub(crate) fn ghost_body(&self, body: &Body, pose: Pose) -> Result<(), JsValue> {
         self.faded(GHOST_BODY_OPACITY, || self.body(body, Some(pose), false))?;
         self.outline(body, pose, self.palette.model, Line::Solid)
@@ -59,7 +59,7 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Writes a name at a point, inside of the scene.
+    /// Writes a name at a point, keeping it inside the scene.
     pub(crate) fn name(&self, name: &str, [x, y]: [f64; 2]) -> Result<(), JsValue> {
         let context = self.context;
         context.set_font(&format!("600 {}px system-ui, sans-serif", NAME_HEIGHT * self.scale));
@@ -67,7 +67,7 @@ impl Painter<'_> {
         let half = context.measure_text(name)?.width() / 2.0 / self.scale;
         let x = x.clamp(half + 2.0, (SIZE - half - 2.0).max(half + 2.0));
         let y = (y + NAME_HEIGHT / 3.0).clamp(NAME_HEIGHT / 3.0, SIZE - NAME_HEIGHT);
-        // The scene's y points up; text would stand on its head.
+        // The scene's y points up, which would turn text upside down.
         context.set_transform(1.0, 0.0, 0.0, 1.0, x * self.scale, (SIZE - y) * self.scale)?;
         self.set_stroke(self.palette.paper, 3.0 * self.scale, Line::Solid)?;
         context.stroke_text(name, 0.0, 0.0)?;
@@ -76,7 +76,7 @@ impl Painter<'_> {
         self.set_scene_units()
     }
 
-    /// Draws the spark of a contact at a point: rays that fly apart, over a fraction of its time, 0..=1.
+    /// Draws the spark of a contact at a point: rays that fly apart. `fraction` is the elapsed part of its time, 0..=1.
     pub(crate) fn spark(&self, [x, y]: [f64; 2], fraction: f64) -> Result<(), JsValue> {
         if !(0.0..=1.0).contains(&fraction) {
             return Ok(());

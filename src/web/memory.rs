@@ -1,5 +1,5 @@
-//! What the model remembers of attempts at earlier puzzles, as JavaScript keeps it. Turns share it: they use it and add
-//! to it.
+//! The model's memory of attempts at earlier puzzles, as an object that JavaScript holds. Turns share it: they use it
+//! and add to it.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -16,7 +16,7 @@ use crate::agents::memory::{self, MemoryError, PuzzleSource, Recollection};
 use crate::puzzle::scene::Scene;
 use crate::session::puzzle::{Puzzle, PuzzleId};
 
-/// A memory of attempts. It belongs to the weights that it was made for.
+/// A memory of attempts. It belongs to the weights for which it was made.
 #[wasm_bindgen]
 pub struct Memory {
     memory: Rc<RefCell<memory::Memory>>,
@@ -24,7 +24,7 @@ pub struct Memory {
     weights: String,
 }
 
-/// What a turn uses of a memory, and where it adds to it.
+/// The parts of a memory that a turn reads and adds to.
 pub(crate) struct TurnMemory {
     memory: Rc<RefCell<memory::Memory>>,
     source: PuzzleSource,
@@ -55,12 +55,12 @@ impl Memory {
 
 #[wasm_bindgen]
 impl Memory {
-    /// Returns the number of attempts that are remembered.
+    /// Returns the number of remembered attempts.
     pub fn attempts(&self) -> usize {
         self.memory.borrow().attempts()
     }
 
-    /// Returns the puzzles that are remembered, in the order in which they were played.
+    /// Returns the remembered puzzles, in the order in which they were played.
     #[wasm_bindgen(unchecked_return_type = "RememberedPuzzle[]")]
     pub fn puzzles(&self) -> Result<JsValue, JsValue> {
         #[derive(Serialize)]
@@ -76,8 +76,8 @@ impl Memory {
         to_js(&puzzles.collect::<Vec<_>>())
     }
 
-    /// Remembers an attempt that somebody else has made. The attempts of a turn with this memory are remembered
-    /// without it. Throws `invalid_ball` if the ball may not be placed.
+    /// Remembers an attempt by someone other than the model. The attempts of a turn with this memory are remembered
+    /// automatically. Throws `invalid_ball` if the ball is invalid.
     pub fn remember(&self, puzzle: JsPuzzle, ball: JsBall, solved: bool) -> Result<(), JsValue> {
         let Puzzle { id, scene, .. } = load(&puzzle)?;
         let ball = valid_ball(ball, &scene)?;
@@ -90,7 +90,7 @@ impl Memory {
         self.memory.borrow_mut().forget();
     }
 
-    /// Returns the memory as JSON, from which `Model.memory` makes it again.
+    /// Returns the memory as JSON, which `Model.memory` can read back.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> String {
         self.memory.borrow().to_json(Some(&self.weights))
@@ -101,7 +101,7 @@ impl TurnMemory {
     /// Remembers the outcome of a ball.
     pub(crate) fn observe(&self, proposal: &Proposal, solved: bool) {
         let mut memory = self.memory.borrow_mut();
-        // All may be forgotten, or another puzzle begun, in the middle of a turn.
+        // In the middle of a turn, everything may be forgotten, or another puzzle begun.
         if !memory.is_at(&self.source) {
             memory.begin(self.source.clone(), &self.scene);
         }

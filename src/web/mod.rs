@@ -1,12 +1,13 @@
 //! The wasm exports, which the page and its worker call, and the painter. The only user of wasm_bindgen and web_sys.
 //!
-//! `open_puzzle` is one puzzle that is played, `custom_scene` one that is made; `frame` draws both. `model` is the nets
-//! in the worker, `memory` what they remember, `search` finds solutions by simulation. `scripting` is what a script
-//! asks of a puzzle, `benchmark` and `constants` what belongs to none. Data go to JavaScript as plain objects with the
-//! field names of the Rust types, which `types.d.ts` declares, or as typed arrays.
+//! `open_puzzle` is a puzzle to play, `custom_scene` a puzzle to edit, and `frame` draws both. `model` holds the nets
+//! in the worker, `memory` what they remember, and `search` finds solutions by simulation. `scripting` has the
+//! functions for scripts that take a puzzle; `benchmark` and `constants` have those that take none. Data go to
+//! JavaScript as plain objects with the field names of the Rust types, which `types.d.ts` declares, or as typed arrays.
 //!
-//! What takes a puzzle throws `bad_task` if there is no such task, and `bad_scene` if the scene may not be played;
-//! `bad_data` stands for any value that does not have the agreed form. The docs name only what else is thrown.
+//! Functions that take a puzzle throw `bad_task` if the task does not exist, and `bad_scene` if the scene cannot be
+//! played. Any function throws `bad_data` for a value that does not have the declared form. The docs name only other
+//! errors.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -44,6 +45,6 @@ pub use puzzle::{JsBall, JsBallOrNull, JsPuzzle};
 pub use scripting::{attempt_line, raster, simulate, verify_attempt, why_invalid};
 pub use search::{SolutionSearch, SolveMap, luck};
 
-/// The types of the objects that are passed; wasm-bindgen copies them into the package's declarations.
+/// The types of the objects that are passed. wasm-bindgen copies them into the package's declarations.
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.d.ts");

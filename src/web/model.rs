@@ -1,8 +1,8 @@
-//! The model in the worker: loads weights, then imagines maps and paths, proposes balls and tries them.
+//! The model in the worker: loads weights, imagines maps and paths, proposes balls and tries them.
 //!
-//! The page never calls it, because it is slow: the nets take some ten milliseconds per scene, a rollout about one, and
-//! a turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in
-//! between.
+//! The page's main thread never calls it, because it is slow: the nets take some ten milliseconds per scene, a rollout
+//! about one, and a turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can
+//! stop in between.
 
 use js_sys::{Float32Array, Number, Object, Reflect, Uint32Array};
 use serde::Serialize;
@@ -41,7 +41,7 @@ pub struct Model {
     card: Card,
     /// SHA-256 of the weights file, in hexadecimal.
     weights: String,
-    /// The tasks that it was trained on or chosen by, ascending.
+    /// The tasks that it was trained on or that its settings were chosen on, ascending.
     seen: Vec<TaskId>,
 }
 
@@ -54,8 +54,8 @@ pub struct Turn {
 
 #[wasm_bindgen]
 impl Model {
-    /// Loads the nets from the bytes of a weights file; throws `bad_weights` if it is damaged or belongs to other nets.
-    /// Their SHA-256, in hexadecimal, is computed if it is not known.
+    /// Loads the nets from the bytes of a weights file. Throws `bad_weights` if the file is damaged or belongs to other
+    /// nets. Pass its SHA-256, in hexadecimal, if it is known; otherwise it is computed.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8], sha256: Option<String>) -> Result<Model, JsValue> {
         let (nets, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
@@ -70,14 +70,15 @@ impl Model {
         to_js(&self.card)
     }
 
-    /// Whether nets of the model were trained on this task or its settings were chosen on it; never for a custom scene.
+    /// Returns whether nets of the model were trained on this task or its settings were chosen on it; always false for
+    /// a custom scene.
     #[wasm_bindgen(js_name = hasSeen)]
     pub fn has_seen(&self, puzzle: JsPuzzle) -> Result<bool, JsValue> {
         Ok(load(&puzzle)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
     }
 
-    /// Returns the maps of a puzzle: for each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom. Weights
-    /// with neither a success net nor a dynamics net have no map `success`.
+    /// Returns the maps of a puzzle, each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom. If the
+    /// weights have neither a success net nor a dynamics net, the map `success` is missing.
     #[wasm_bindgen(unchecked_return_type = "Maps")]
     pub fn imagine(&self, puzzle: JsPuzzle) -> Result<Object, JsValue> {
         let scene = load(&puzzle)?.scene;
@@ -94,8 +95,8 @@ impl Model {
         Ok(maps)
     }
 
-    /// Returns the maps of the paper's nets alone: base, target, action and placement in one Float32Array
-    /// `[4, 64, 64]`. `make bench` compares it with other engines, which run the same nets.
+    /// Returns only the maps of the paper's nets: base, target, action and placement in one Float32Array `[4, 64, 64]`.
+    /// `make bench` uses it for a comparison with other engines, which run the same nets.
     #[wasm_bindgen(js_name = imaginePaths)]
     pub fn imagine_paths(&self, puzzle: JsPuzzle) -> Result<Vec<f32>, JsValue> {
         let imagined = self.model.nets.imagine(&load(&puzzle)?.scene);
@@ -103,9 +104,9 @@ impl Model {
         Ok(maps.concat())
     }
 
-    /// Imagines what a ball leads to: the paths of the green object and of the ball, and the probability that it
-    /// solves. Undefined if the weights have no dynamics net; throws `invalid_ball`. What the net has read of the last
-    /// puzzle is kept, so further balls of it cost little.
+    /// Imagines what a ball leads to: the paths of the green object and of the ball, and the probability that the ball
+    /// solves. Returns undefined if the weights have no dynamics net; throws `invalid_ball`. The net's results for the
+    /// last puzzle are kept, so further balls in it cost little.
     #[wasm_bindgen(js_name = imagineBall, unchecked_return_type = "ImaginedBall | undefined")]
     pub fn imagine_ball(&self, puzzle: JsPuzzle, ball: JsBall) -> Result<JsValue, JsValue> {
         #[derive(Serialize)]
@@ -127,7 +128,7 @@ impl Model {
         })
     }
 
-    /// Returns the balls that the model considers before it chooses, some hundred. Undefined if the weights have no
+    /// Returns the balls that the model considers before it chooses, a few hundred; undefined if the weights have no
     /// dynamics net.
     #[wasm_bindgen(unchecked_return_type = "Candidate[] | undefined")]
     pub fn candidates(&self, puzzle: JsPuzzle) -> Result<JsValue, JsValue> {
@@ -147,8 +148,8 @@ impl Model {
         to_js(&candidates.iter().map(candidate).collect::<Vec<_>>())
     }
 
-    /// Returns the balls that the model would try, in order, each with its origin: `count` of them, 1 to 1,000; without
-    /// a count as many as there are attempts.
+    /// Returns the balls that the model would try, in order, each with its origin. `count` is 1 to 1,000; by default it
+    /// is the number of attempts.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
     pub fn propose(&self, puzzle: JsPuzzle, seed: &Number, count: Option<Number>) -> Result<JsValue, JsValue> {
         let Puzzle { id, scene, .. } = load(&puzzle)?;
@@ -165,9 +166,9 @@ impl Model {
         Ok(Turn { turn: turn::Turn::new(scene, agent), memory: None })
     }
 
-    /// Starts the model's turn on a puzzle, in which it uses what a memory holds, and remembers each attempt. Draws
-    /// nothing at random. Throws `bad_memory` if the memory is of other weights, `bad_weights` if these weights have no
-    /// dynamics net.
+    /// Starts the model's turn on a puzzle with a memory: the turn uses the memory and adds each attempt to it. Nothing
+    /// is drawn at random. Throws `bad_memory` if the memory belongs to other weights, and `bad_weights` if these
+    /// weights have no dynamics net.
     #[wasm_bindgen(js_name = turnWith)]
     pub fn turn_with(&self, puzzle: JsPuzzle, memory: &Memory) -> Result<Turn, JsValue> {
         let Puzzle { id, scene, .. } = load(&puzzle)?;
@@ -181,9 +182,9 @@ impl Model {
         Ok(Turn { turn: turn::Turn::new(scene, agent), memory: Some(memory) })
     }
 
-    /// Returns a memory of attempts for this model: an empty one, or that of JSON which `Memory.toJson` or
-    /// `pathlight agent --memory` wrote. Throws `bad_memory` if it is damaged, of another format, or learned with other
-    /// weights.
+    /// Returns a memory of attempts for this model: empty, or read from JSON written by `Memory.toJson` or
+    /// `pathlight agent --memory`. Throws `bad_memory` if the JSON is damaged, has another format, or was learned with
+    /// other weights.
     pub fn memory(&self, json: Option<String>) -> Result<Memory, JsValue> {
         Memory::new(&self.weights, json.as_deref())
     }
@@ -217,10 +218,11 @@ fn whole_seed(seed: &JsValue) -> Result<u64, JsValue> {
     whole_number(seed, 0..=u32::MAX, "a seed is a whole number from 0 to 2^32 - 1").map(u64::from)
 }
 
-/// Returns a ball that may be placed in the scene.
+/// Returns a valid ball of the scene.
 ///
 /// # Errors
-/// `bad_data` if it is no ball, `invalid_ball` if it may not be placed.
+///
+/// `bad_data` if the value is not a ball, `invalid_ball` if the ball is invalid.
 pub(super) fn valid_ball(ball: JsBall, scene: &Scene) -> Result<Ball, JsValue> {
     let ball: Ball = ball_from(ball)?;
     ball.check(scene).map(|()| ball).map_err(|why| invalid_ball(why, scene))

@@ -1,8 +1,8 @@
-//! An open puzzle as a value: which balls it admits, what a ball leads to, and every frame of it. Nothing that a caller
-//! does changes an answer; the page holds the attempts.
+//! An open puzzle as a value: its valid balls, their rollouts, and every frame. No call changes the result of another;
+//! the page holds the attempts.
 //!
-//! A rollout is named by its ball, because the same ball always leads to the same rollout. The last few are kept, so
-//! that the frames of a rollout simulate it once.
+//! A rollout is identified by its ball, because the same ball always leads to the same rollout. The last few are
+//! cached, so that the frames of a rollout simulate it only once.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -27,17 +27,17 @@ use crate::session::puzzle::Puzzle;
 use crate::simulator::{ClosestApproach, Contact, Engine, closest_approach, first_contact, simulate};
 use crate::verification::AttemptLine;
 
-/// How far the centre of an invalid ball may be from the place that it goes to instead, px.
+/// Maximum distance between the centre of an invalid ball and the place that it moves to, px.
 const REACH: f64 = 64.0;
 
-/// How many rollouts are kept: those of a duel, and some that a person may go back to.
+/// Number of rollouts to cache: those of a duel, and some that a person may go back to.
 const KEPT_ROLLOUTS: usize = 8;
 
 /// A puzzle that can be played.
 #[wasm_bindgen]
 pub struct OpenPuzzle {
     puzzle: Puzzle,
-    /// The latest last.
+    /// The cached rollouts, latest last.
     kept: RefCell<Vec<(Option<Ball>, Rc<Rollout>)>>,
 }
 
@@ -49,7 +49,7 @@ impl OpenPuzzle {
         Ok(OpenPuzzle { puzzle: load(&puzzle)?, kept: RefCell::default() })
     }
 
-    /// Returns what the puzzle is.
+    /// Returns a description of the puzzle.
     #[wasm_bindgen(unchecked_return_type = "About")]
     pub fn about(&self) -> Result<JsValue, JsValue> {
         let Puzzle { id, scene, .. } = &self.puzzle;
@@ -63,19 +63,19 @@ impl OpenPuzzle {
             Ok(()) => return Ok(JsValue::UNDEFINED),
             Err(Invalid::Radius) => json!({"kind": "radius"}),
             Err(Invalid::Overlaps(body)) => json!({"kind": "overlaps", "body": body}),
-            // A puzzle's scene can always be simulated, so these all mean that the ball is outside it.
+            // A puzzle's scene can always be simulated, so all of these mean that the ball is outside it.
             Err(Invalid::Outside | Invalid::OutOfRange | Invalid::Scene(_)) => json!({"kind": "outside"}),
         })
     }
 
-    /// Returns the nearest valid ball of the same radius, if one is not far away.
+    /// Returns the nearest valid ball of the same radius; undefined if none is near.
     #[wasm_bindgen(js_name = nearestPlace, unchecked_return_type = "Ball | undefined")]
     pub fn nearest_place(&self, x: f64, y: f64, r: f64) -> Option<Vec<f64>> {
         let place = nearest_place(Ball { x, y, r }, &Obstacles::new(&self.puzzle.scene), REACH)?;
         Some(<[f64; 3]>::from(place).to_vec())
     }
 
-    /// Returns what a ball leads to; without one, what the scene does alone. Throws `invalid_ball`.
+    /// Returns the rollout of a ball or, if it is null, of the scene alone. Throws `invalid_ball`.
     #[wasm_bindgen(unchecked_return_type = "RolloutFacts")]
     pub fn rollout(&self, ball: JsBallOrNull) -> Result<JsValue, JsValue> {
         #[derive(Serialize)]
@@ -100,7 +100,7 @@ impl OpenPuzzle {
         })
     }
 
-    /// Returns the real paths of what a ball leads to as masks; without a ball, that of the green object alone. Throws
+    /// Returns the real paths of a ball's rollout as masks; if the ball is null, only that of the green object. Throws
     /// `invalid_ball`.
     #[wasm_bindgen(js_name = pathMasks, unchecked_return_type = "PathMasks")]
     pub fn path_masks(&self, ball: JsBallOrNull) -> Result<JsValue, JsValue> {
@@ -120,15 +120,15 @@ impl OpenPuzzle {
         })
     }
 
-    /// Returns what a person has drawn as the path of the green object (x, y, x, y, … in px) as a mask of its path.
+    /// Returns a path of the green object that a person has drawn (x, y, x, y, … in px) as a mask.
     #[wasm_bindgen(js_name = sketchMask)]
     pub fn sketch_mask(&self, points: &[f64]) -> Vec<f32> {
         let Scene { bodies, body1, .. } = &self.puzzle.scene;
         trail_image(&bodies[*body1], points.as_chunks().0).to_f32().collect()
     }
 
-    /// Draws a frame into a square canvas: the scene, the maps over it, then paths, balls and the ring. Bodies are
-    /// those of the first rollout; the others lie over it. Throws `invalid_ball`.
+    /// Draws a frame into a square canvas: the scene, the maps over it, then paths, balls and the ring. The bodies are
+    /// those of the first rollout; further rollouts are drawn over it. Throws `invalid_ball`.
     pub fn paint(
         &self,
         context: &CanvasRenderingContext2d,

@@ -1,7 +1,7 @@
 //! Draws scenes, balls, paths, rings and overlaid maps on a canvas.
 //!
 //! A `Painter` transforms the canvas so that one unit is one px of the scene, origin bottom left, y up, at any
-//! resolution of the canvas; then each call draws one thing. It must not depend on attempts or on time.
+//! resolution of the canvas. Each call then draws one thing. It must not depend on attempts or on time.
 
 use std::f64::consts::TAU;
 
@@ -18,14 +18,14 @@ use crate::puzzle::scene::{Body, Role, SIZE, Shape};
 const HATCH_SPACING: f64 = 4.5;
 const HATCH_WIDTH: f64 = 1.2;
 
-/// Largest radius that is hatched, px. Bodies that may be played are smaller, but the editor also draws others.
+/// Largest radius to hatch, px. Playable bodies are smaller, but the editor also draws larger ones.
 const MAX_HATCHED_RADIUS: f64 = 512.0;
 
 /// Widths of the rim of black bodies and of a path, px.
 const RIM_WIDTH: f64 = 1.0;
 const PATH_WIDTH: f64 = 1.6;
 
-/// Minimum width of a path, pixels of the canvas: `PATH_WIDTH` is hardly visible in a thumbnail.
+/// Minimum width of a path, pixels of the canvas: `PATH_WIDTH` would be hardly visible in a thumbnail.
 const MIN_PATH_PIXELS: f64 = 1.2;
 
 pub(crate) struct Painter<'a> {
@@ -38,16 +38,16 @@ pub(crate) struct Painter<'a> {
 /// The style of a line.
 #[derive(Clone, Copy)]
 pub(crate) enum Line {
-    /// What is real.
+    /// Something real.
     Solid,
-    /// What is invalid.
+    /// Something invalid.
     Dashed,
-    /// What is imagined, drawn by hand, or past.
+    /// Something imagined, drawn by hand, or past.
     Dotted,
 }
 
 impl<'a> Painter<'a> {
-    /// Fills the whole canvas with the colour of the paper and sets the scene's units.
+    /// Fills the whole canvas with the background colour and sets the scene's units.
     pub(crate) fn new(context: &'a CanvasRenderingContext2d, dark: bool) -> Result<Painter<'a>, JsValue> {
         let canvas = context.canvas().ok_or_else(|| error(Code::BadData, "the context has no canvas"))?;
         let side = f64::from(canvas.width());
@@ -62,8 +62,8 @@ impl<'a> Painter<'a> {
         Ok(painter)
     }
 
-    /// Draws a body in the colour of its role, at a pose or where the scene has it. A goal is hatched, the green object
-    /// dotted.
+    /// Draws a body in the colour of its role, at a pose or at its pose in the scene. A goal is hatched, the green
+    /// object dotted.
     pub(crate) fn body(&self, body: &Body, pose: Option<Pose>, goal: bool) -> Result<(), JsValue> {
         let outline = body_path(body)?;
         self.placed(pose.map_or([body.x, body.y, body.angle], |pose| pose.map(f64::from)), || {
@@ -78,7 +78,7 @@ impl<'a> Painter<'a> {
             }
             match (body.role, body.ball_radius()) {
                 (Role::Gray | Role::Blue, Some(radius)) => self.spoke(radius),
-                // Off the centre of a ball, so that it shows how the ball rolls.
+                // Off the ball's centre, so that it shows how the ball rolls.
                 (Role::Green, Some(radius)) => {
                     self.disc([0.4 * radius, 0.0], (0.26 * radius).max(1.6), self.palette.paper)
                 }
@@ -106,14 +106,14 @@ impl<'a> Painter<'a> {
             }
             self.faded(0.3, || self.disc([0.0, 0.0], ball.r, self.palette.red))?;
             self.stroke(self.palette.red, 2.0, Line::Dashed)?;
-            // A bar across it marks it without colour too.
+            // A bar across the ball marks it independently of colour.
             let half = ball.r * 0.7;
             self.lines([[-half, half], [half, -half]]);
             self.stroke(self.palette.ink, 1.5, Line::Solid)
         })
     }
 
-    /// Draws the knob that changes the radius of the ball, at its right.
+    /// Draws the knob that changes the radius of the ball, to its right.
     pub(crate) fn knob(&self, ball: Ball, radius: f64) -> Result<(), JsValue> {
         self.disc([ball.x + ball.r, ball.y], radius, self.palette.paper)?;
         self.stroke(self.palette.ink, 1.0, Line::Solid)
@@ -123,12 +123,12 @@ impl<'a> Painter<'a> {
     pub(crate) fn path(&self, points: impl Iterator<Item = [f64; 2]>, role: Role, line: Line) -> Result<(), JsValue> {
         self.lines(points);
         let width = PATH_WIDTH.max(MIN_PATH_PIXELS / self.scale);
-        // A rim in the colour of the paper keeps the path visible where it crosses a body of its own colour.
+        // A rim in the background colour keeps the path visible where it crosses a body of the same colour.
         self.faded(0.7, || self.stroke(self.palette.paper, width + 1.4, Line::Solid))?;
         self.stroke(self.palette.role(role), width, line)
     }
 
-    /// Draws a progress ring round a point, filled to a fraction clockwise from the top.
+    /// Draws a progress ring around a point, filled to a fraction clockwise from the top.
     pub(crate) fn ring(&self, [x, y]: [f64; 2], radius: f64, fraction: f64) -> Result<(), JsValue> {
         let top = TAU / 4.0;
         for (colour, width, fraction) in [(self.palette.ink, 5.0, 1.0), (self.palette.ring, 3.4, fraction)] {
@@ -172,13 +172,13 @@ impl<'a> Painter<'a> {
         Ok(())
     }
 
-    /// Begins a circle, which is the next to be stroked.
+    /// Begins a circle as the current path, to be stroked next.
     pub(super) fn circle(&self, [x, y]: [f64; 2], radius: f64) -> Result<(), JsValue> {
         self.context.begin_path();
         self.context.arc(x, y, radius, 0.0, TAU)
     }
 
-    /// Fills a disc, whose outline is the next to be stroked.
+    /// Fills a disc. Its outline becomes the current path, to be stroked next.
     pub(super) fn disc(&self, place: [f64; 2], radius: f64, colour: &str) -> Result<(), JsValue> {
         self.circle(place, radius)?;
         self.context.set_fill_style_str(colour);
@@ -186,13 +186,13 @@ impl<'a> Painter<'a> {
         Ok(())
     }
 
-    /// Begins a line through points, which is the next to be stroked.
+    /// Begins a line through points as the current path, to be stroked next.
     pub(super) fn lines(&self, points: impl IntoIterator<Item = [f64; 2]>) {
         self.context.begin_path();
         points.into_iter().for_each(|[x, y]| self.context.line_to(x, y));
     }
 
-    /// Strokes the present line; the width is in px.
+    /// Strokes the current path; the width is in px.
     pub(super) fn stroke(&self, colour: &str, width: f64, line: Line) -> Result<(), JsValue> {
         self.set_stroke(colour, width, line)?;
         self.context.stroke();

@@ -1,4 +1,4 @@
-//! A puzzle and a ball, as JavaScript names them: the id of a task or a custom scene, and three numbers.
+//! A puzzle and a ball as JavaScript passes them: the id of a task or a custom scene, and three numbers.
 
 use std::cell::RefCell;
 
@@ -29,15 +29,16 @@ extern "C" {
 }
 
 thread_local! {
-    /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a
+    /// The task that was loaded last. A script tries many balls on one task, and loading it may take longer than a
     /// rollout.
     static LAST_TASK: RefCell<Option<Puzzle>> = const { RefCell::new(None) };
 }
 
-/// Returns the task of an id, or a custom scene.
+/// Returns the task with an id, or a custom scene.
 ///
 /// # Errors
-/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
+///
+/// `bad_task` if the task does not exist, `bad_scene` if the scene cannot be played.
 pub(crate) fn load(puzzle: &JsValue) -> Result<Puzzle, JsValue> {
     if puzzle.is_object() {
         return Puzzle::read(json(puzzle)).map_err(|problems| bad_scene(&problems));
@@ -53,7 +54,7 @@ pub(crate) fn load(puzzle: &JsValue) -> Result<Puzzle, JsValue> {
     })
 }
 
-/// Returns the error for a scene that may not be played.
+/// Returns the error for a scene that cannot be played.
 pub(crate) fn bad_scene(problems: &[Problem]) -> JsValue {
     let first = problems.first().expect("a scene without problems may be played");
     match problems.len() - 1 {
@@ -62,10 +63,11 @@ pub(crate) fn bad_scene(problems: &[Problem]) -> JsValue {
     }
 }
 
-/// Returns the ball of a JavaScript value; `T` says whether there has to be one.
+/// Returns the ball of a JavaScript value; `T` says whether it may be null.
 ///
 /// # Errors
-/// `bad_data` if it is none.
+///
+/// `bad_data` if the value is not a ball.
 pub(crate) fn ball_from<T: DeserializeOwned>(ball: impl Into<JsValue>) -> Result<T, JsValue> {
     let fault = |_| error(Code::BadData, "a ball is an array of three numbers, px: x, y and its radius");
     serde_json::from_value(json(&ball.into())).map_err(fault)
@@ -76,7 +78,7 @@ pub(crate) fn invalid_ball(why: Invalid, scene: &Scene) -> JsValue {
     error(Code::InvalidBall, invalid_reason(why, scene))
 }
 
-/// Returns why a ball is invalid, with the name of the body that it overlaps.
+/// Returns the reason why a ball is invalid, with the name of the body that it overlaps.
 pub(crate) fn invalid_reason(why: Invalid, scene: &Scene) -> String {
     match why {
         Invalid::Overlaps(body) => format!("the ball overlaps the {}", scene.bodies[body].name()),

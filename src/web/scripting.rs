@@ -1,5 +1,5 @@
-//! What a script asks of a puzzle: its raster, why a ball is invalid in it, the rollout of a ball, and the
-//! line that proves it. Between calls only the task that was loaded last is kept, so there is nothing to free.
+//! Functions of a puzzle for scripts: its raster, why a ball is invalid, the rollout of a ball, and a verifiable
+//! attempt. Between calls, only the last task is kept, so there is nothing to free.
 
 use js_sys::{Float32Array, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -14,8 +14,8 @@ use crate::session::ending::Ending;
 use crate::simulator::{self, Engine};
 use crate::verification::{AttemptLine, LineFault, Verdict};
 
-/// Returns the five channels of a scene, which the four nets see: green object, blue goal, purple goal, gray, black. A
-/// Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
+/// Returns the five channels of a scene, the input of the four nets: green object, blue goal, purple goal, gray, black.
+/// A Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
 #[wasm_bindgen]
 pub fn raster(puzzle: JsPuzzle) -> Result<Vec<f32>, JsValue> {
     Ok(scene_channels(&load(&puzzle)?.scene).iter().flat_map(|channel| channel.to_f32()).collect())
@@ -28,8 +28,8 @@ pub fn why_invalid(puzzle: JsPuzzle, ball: JsBall) -> Result<Option<String>, JsV
     Ok(ball_from::<Ball>(ball)?.check(&scene).err().map(|why| invalid_reason(why, &scene)))
 }
 
-/// Simulates a puzzle with a ball, or alone if the ball is null. An invalid ball is no error: it is a rollout of no
-/// steps with the status `invalid` and a reason.
+/// Simulates a puzzle with a ball, or without one if the ball is null. An invalid ball is not an error: it yields a
+/// rollout of no steps with the status `invalid` and a reason.
 #[wasm_bindgen(unchecked_return_type = "Rollout")]
 pub fn simulate(puzzle: JsPuzzle, ball: JsBallOrNull) -> Result<JsValue, JsValue> {
     #[derive(Serialize)]
@@ -59,14 +59,14 @@ pub fn simulate(puzzle: JsPuzzle, ball: JsBallOrNull) -> Result<JsValue, JsValue
     })
 }
 
-/// Simulates a ball, or the scene alone if it is null, and returns the line that anyone can verify.
+/// Simulates a ball, or the scene alone if it is null, and returns an attempt that anyone can verify.
 #[wasm_bindgen(js_name = attemptLine, unchecked_return_type = "AttemptLine")]
 pub fn attempt_line(puzzle: JsPuzzle, ball: JsBallOrNull) -> Result<JsValue, JsValue> {
     to_js(&AttemptLine::of(&load(&puzzle)?, ball_from(ball)?, Engine::default()))
 }
 
-/// Simulates the attempt of a line again, and returns whether it is the same to the bit. Never fails: what is not a
-/// line is `not_valid`.
+/// Simulates an attempt again, and returns whether it is the same to the bit. Never throws: a value that is not an
+/// attempt is `not_valid`.
 #[wasm_bindgen(js_name = verifyAttempt, unchecked_return_type = "Verification")]
 pub fn verify_attempt(#[wasm_bindgen(unchecked_param_type = "unknown")] line: &JsValue) -> Result<JsValue, JsValue> {
     let line: Result<AttemptLine, _> = serde_json::from_value(json(line));

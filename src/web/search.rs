@@ -1,4 +1,4 @@
-//! Searches for solutions, one ball per call, so that a worker can stop in between; and whether a solution is luck.
+//! Searches for solutions, one ball per call, so that a worker can stop in between, and measures luck.
 
 use wasm_bindgen::prelude::*;
 
@@ -13,7 +13,7 @@ pub struct SolveMap(solve_map::SolveMap);
 
 #[wasm_bindgen]
 impl SolveMap {
-    /// Returns a map without outcomes. The radius is in px; throws `invalid_ball` if it is not a ball's.
+    /// Creates a map without outcomes. The radius is in px; throws `invalid_ball` if no ball may have it.
     #[wasm_bindgen(constructor)]
     pub fn new(puzzle: JsPuzzle, radius: f64) -> Result<SolveMap, JsValue> {
         let map = solve_map::SolveMap::new(load(&puzzle)?.scene, radius);
@@ -36,7 +36,7 @@ impl SolveMap {
     }
 }
 
-/// The search for solutions of a scene over the whole action space.
+/// A search for solutions of a scene over the whole action space.
 #[wasm_bindgen]
 pub struct SolutionSearch(solution_search::SolutionSearch);
 
@@ -53,14 +53,14 @@ impl SolutionSearch {
         self.0.advance()
     }
 
-    /// Returns what has been found so far.
+    /// Returns the results so far.
     #[wasm_bindgen(unchecked_return_type = "FoundSolutions")]
     pub fn found(&self) -> Result<JsValue, JsValue> {
         to_js(&self.0.found())
     }
 }
 
-/// Returns how many of the 27 balls within a pixel in x, y and radius solve, of those that may be placed.
+/// Returns how many of the 27 balls within a pixel in x, y and radius are valid, and how many of these solve.
 #[wasm_bindgen(unchecked_return_type = "Luck")]
 pub fn luck(puzzle: JsPuzzle, ball: JsBall) -> Result<JsValue, JsValue> {
     to_js(&luck::luck(&load(&puzzle)?.scene, ball_from(ball)?))

@@ -1,18 +1,18 @@
-//! The texts that people read: the README stays one screen, and what the texts link to and name exists.
+//! The docs: the README stays short, and every link target and every named file exists.
 
 use std::fs;
 use std::path::Path;
 
 use crate::files::{files, holds};
 
-/// The README's most lines and words.
+/// Maximum numbers of lines and words of the README.
 const README_LINES: usize = 120;
 const README_WORDS: usize = 1100;
 
-/// Largest picture of the README, bytes.
+/// Maximum size of a picture in the README, bytes.
 const PICTURE_BYTES: u64 = 600_000;
 
-/// Beside those of `docs/`.
+/// Pages outside `docs/`.
 const PAGES: [&str; 8] = [
     "README.md",
     "CONTRIBUTING.md",
@@ -24,7 +24,7 @@ const PAGES: [&str; 8] = [
     "www/README.md",
 ];
 
-/// The folders of the repository whose files the texts name.
+/// The folders of the repository whose files the docs name.
 const FOLDERS: [&str; 14] = [
     "assets/",
     "benches/",
@@ -42,11 +42,11 @@ const FOLDERS: [&str; 14] = [
     "www/",
 ];
 
-/// Stands for a name that the reader chooses.
+/// A name for the reader to choose.
 const PLACEHOLDER: &str = "NAME";
 
 struct Page {
-    /// Below the root of the repository.
+    /// Path below the root of the repository.
     path: String,
     text: String,
 }
@@ -101,7 +101,7 @@ fn no_link_leads_nowhere() {
             }
         }
     }
-    assert!(broken.is_empty(), "\nthese links lead nowhere:\n{}", broken.join("\n"));
+    assert!(broken.is_empty(), "\nthese links are broken:\n{}", broken.join("\n"));
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn every_file_that_is_named_exists() {
         let gone = named_files(&page.text).into_iter().filter(|path| !root().join(path).exists());
         missing.extend(gone.map(|path| format!("{}: {path}", page.path)));
     }
-    assert!(missing.is_empty(), "\nthese files are named, and do not exist:\n{}", missing.join("\n"));
+    assert!(missing.is_empty(), "\nthese named files do not exist:\n{}", missing.join("\n"));
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn the_packages_readme_lists_every_event() {
     assert!(missing.is_empty(), "package/README.md does not list {missing:?}");
 }
 
-/// The schema of workflows, which `make check` holds them to, knows nothing of our scripts.
+/// `make check` validates workflows against their schema, which does not cover our scripts.
 #[test]
 fn workflows_run_scripts_that_exist() {
     let makefile = Page::new("Makefile").text;
@@ -166,7 +166,7 @@ fn links_sections_and_files_are_found() {
     assert_eq!(named_files(text), ["src/lib.rs"]);
 }
 
-/// The lines outside of blocks of code.
+/// Returns the lines outside code blocks.
 fn prose(text: &str) -> Vec<&str> {
     let mut in_code = false;
     let is_prose = |line: &&str| {
@@ -177,7 +177,7 @@ fn prose(text: &str) -> Vec<&str> {
     text.lines().filter(is_prose).collect()
 }
 
-/// The targets of links and pictures.
+/// Returns the targets of links and pictures.
 fn links(text: &str) -> Vec<&str> {
     prose(text)
         .into_iter()
@@ -186,7 +186,7 @@ fn links(text: &str) -> Vec<&str> {
         .collect()
 }
 
-/// The names by which headings are linked to.
+/// Returns the anchors of headings.
 fn sections(text: &str) -> Vec<String> {
     let headings = prose(text).into_iter().filter(|line| line.starts_with('#'));
     let name = |heading: &str| -> String {
@@ -197,12 +197,12 @@ fn sections(text: &str) -> Vec<String> {
     headings.map(name).collect()
 }
 
-/// The code spans of a line each.
+/// Returns the code spans, which do not cross lines.
 fn spans(text: &str) -> impl Iterator<Item = &str> {
     prose(text).into_iter().flat_map(|line| line.split('`').skip(1).step_by(2))
 }
 
-/// The files and folders of the repository in code spans.
+/// Returns the files and folders of the repository in code spans.
 fn named_files(text: &str) -> Vec<&str> {
     let paths = spans(text).filter_map(|span| span.split_whitespace().next());
     paths.filter(|path| FOLDERS.iter().any(|folder| path.starts_with(folder)) && !path.contains(PLACEHOLDER)).collect()

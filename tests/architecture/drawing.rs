@@ -1,6 +1,6 @@
-//! docs/architecture.svg: its boxes are the folders, and its arrows what they really use.
+//! docs/architecture.svg: its boxes are the folders, and its arrows the actual dependencies.
 //!
-//! An arrow holds a title, `A uses B`. What a folder uses through another one needs no arrow.
+//! An arrow has a title, `A uses B`. A dependency through another folder needs no arrow.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -43,7 +43,7 @@ fn drawn() -> BTreeSet<Arrow> {
     arrows.map(|(user, target)| (user.into(), target.into())).collect()
 }
 
-/// What each folder uses, without its tests.
+/// Returns the dependencies of each folder, without its tests.
 fn used() -> BTreeSet<Arrow> {
     let mut used = PLAYER.imports();
     let mut add = |user: &str, target: &str| used.insert((user.into(), target.into()));
@@ -61,7 +61,7 @@ fn used() -> BTreeSet<Arrow> {
     used
 }
 
-/// Whether arrows lead from one folder to the other, in whatever number of steps.
+/// Returns whether arrows lead from one folder to the other in any number of steps.
 fn leads(arrows: &BTreeSet<Arrow>, from: &str, to: &str) -> bool {
     arrows.iter().any(|(user, target)| user == from && (target == to || leads(arrows, target, to)))
 }

@@ -4,10 +4,10 @@ use std::fs;
 use std::path::Path;
 
 pub struct Source {
-    /// Below its root, with `/`.
+    /// Path below the root, with `/`.
     pub path: String,
     pub text: String,
-    /// The text without its comments; lines keep their numbers.
+    /// The text without comments; lines keep their numbers.
     pub code: String,
 }
 
@@ -40,14 +40,14 @@ pub fn files(folder: &str, extensions: &[&str]) -> Vec<Source> {
     found
 }
 
-/// Whether the word is there, and not as the end of a longer name.
+/// Returns whether the word occurs, but not as the end of a longer name.
 pub fn holds(code: &str, word: &str) -> bool {
     let joins = |before: char| before.is_alphanumeric() || before == '_';
     code.match_indices(word).any(|(at, _)| !(word.starts_with(joins) && code[..at].ends_with(joins)))
 }
 
-/// Comments of Rust and JavaScript. A `//` in a string ends the line too early, which a rule can only miss something
-/// by; `://` of an address does not.
+/// Removes comments of Rust and JavaScript. A `//` in a string ends the line too early, which can only make a rule miss
+/// something; the `://` of a URL does not.
 fn without_comments(text: &str) -> String {
     let mut code = String::new();
     let mut in_block = false;

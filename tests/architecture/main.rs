@@ -1,9 +1,8 @@
-//! Architecture rules, checked against the source text: the order of the folders, what each may use and why, names,
-//! lengths.
+//! Architecture rules, checked against the source text: the order of the folders, their allowed dependencies and the
+//! reasons, names, and lengths.
 //!
-//! `rust` has the rules of `src/` and `lab/`, `docs` and `drawing` those of the texts and the picture that people read;
-//! those of the page are in `tests/www/layers.test.ts`.
-//! Comments are left out, so a rule may be named in one.
+//! `rust` has the rules of `src/` and `lab/`; `docs` and `drawing` have those of the docs and of the architecture
+//! drawing. Those of the page are in `tests/www/layers.test.ts`. Comments are ignored, so a comment may name a rule.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::process::Command;
@@ -16,10 +15,10 @@ mod rust;
 
 use files::files;
 
-/// Widest line of a comment, columns: as rustfmt and Prettier hold the code to, which leave comments alone.
+/// Maximum width of a comment, columns. rustfmt and Prettier enforce it for code but not for comments.
 const MAX_COMMENT_WIDTH: usize = 120;
 
-/// Names that say nothing of what a file holds.
+/// Names that do not describe the contents of a file.
 const DUMPING_GROUNDS: [&str; 6] = ["utils", "util", "helpers", "helper", "common", "misc"];
 
 #[test]
@@ -52,7 +51,7 @@ fn a_wide_comment_is_found() {
     assert!(wide_comments(&format!("// short\n// https://a.example/{}\n", "a".repeat(120))).is_empty());
 }
 
-/// The numbers of the lines that are comments and too wide. An address cannot be wrapped.
+/// Returns the numbers of the comment lines that are too wide. A URL cannot be wrapped.
 fn wide_comments(text: &str) -> Vec<usize> {
     let is_comment = |line: &str| ["//", "/*", "* "].iter().any(|start| line.trim_start().starts_with(start));
     let is_wide = |line: &str| line.chars().count() > MAX_COMMENT_WIDTH && !line.contains("://");
@@ -60,7 +59,7 @@ fn wide_comments(text: &str) -> Vec<usize> {
     lines.filter(|(_, line)| is_comment(line) && is_wide(line)).map(|(index, _)| index + 1).collect()
 }
 
-/// Cargo refuses a package below a workspace that is neither its member nor a workspace of its own.
+/// Cargo refuses a package below a workspace unless it is a member or a workspace root.
 #[test]
 fn the_packages_beside_the_workspace_are_workspaces_of_their_own() {
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/nets/tract/Cargo.toml");

@@ -4,7 +4,8 @@ use crate::files::{Source, holds};
 
 pub struct Rule {
     pub words: &'static [&'static str],
-    /// Files and folders (ending in `/`). Only these may hold the words, or all but these.
+    /// Files and folders (ending in `/`): either the only ones that may contain the words, or the only ones that may
+    /// not.
     pub files: Files,
     pub reason: &'static str,
 }
@@ -17,7 +18,7 @@ pub enum Files {
 pub use Files::{Never, Only};
 
 impl Rule {
-    /// Returns a line for each line of the sources that breaks the rule.
+    /// Returns a message for each line of the sources that breaks the rule.
     pub fn broken_by(&self, sources: &[Source]) -> Vec<String> {
         let applies = |path: &str| match self.files {
             Only(names) => !is_among(path, names),
@@ -33,7 +34,7 @@ impl Rule {
     }
 }
 
-/// Returns a line for each file or folder that the rules name and that does not exist.
+/// Returns a message for each file or folder that the rules name and that does not exist.
 pub fn unknown_files(rules: &[Rule], sources: &[Source]) -> Vec<String> {
     let named = rules.iter().flat_map(|rule| {
         let (Only(names) | Never(names)) = rule.files;

@@ -1,11 +1,11 @@
-//! `src/` and `lab/src/`: the order of their folders, and what each of them may not use, with the reason.
+//! `src/` and `lab/src/`: the order of their folders, and the words that each must not use, with the reason.
 
 use std::collections::BTreeSet;
 
 use crate::files::{Source, files, holds};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
-/// The folders of a crate from the data outwards: each uses only those before it.
+/// The folders of a crate from the data outwards. Each uses only those before it.
 pub struct Layers {
     /// The folder of the crate's sources.
     root: &'static str,
@@ -44,7 +44,8 @@ const LAB: Layers = Layers {
     outermost: &["commands"],
 };
 
-/// What builds or decides a simulation, draws data or chooses a ball: the same bits natively and in wasm.
+/// Code that builds or decides a simulation, draws data or chooses a ball. It must give the same bits natively and in
+/// wasm.
 const DETERMINISTIC: &[&str] =
     &["puzzle/", "raster/", "simulator/", "benchmark/", "agents/", "session/", "verification.rs", "search/"];
 
@@ -52,7 +53,7 @@ const RULES: &[Rule] = &[
     Rule {
         words: &["rapier2d"],
         files: Only(&["simulator/"]),
-        reason: "one folder stands between the engine and the rest, so that the engine can change alone",
+        reason: "one folder separates the engine from the rest, so that the engine can be replaced",
     },
     Rule {
         words: &["burn::", "use burn"],
@@ -87,12 +88,12 @@ const RULES: &[Rule] = &[
             "f32::sin", "f32::cos", "f32::tan", "f32::exp", "f32::ln", "f32::log",
         ],
         files: Never(DETERMINISTIC),
-        reason: "the standard library's differ between machines in the last bit; use libm",
+        reason: "the standard library's results differ between machines in the last bit; use libm",
     },
     Rule {
         words: &["HashMap", "HashSet"],
         files: Never(DETERMINISTIC),
-        reason: "their order differs from run to run; use Vec or BTreeMap",
+        reason: "iteration order differs from run to run; use Vec or BTreeMap",
     },
     Rule {
         words: &["crate::"],
@@ -107,24 +108,24 @@ const RULES: &[Rule] = &[
     Rule {
         words: &["md5", "rand_mt"],
         files: Only(&["puzzle/"]),
-        reason: "PHYRE's shuffles and NumPy's random numbers select its tasks and actions, and nothing of ours",
+        reason: "PHYRE's shuffles and NumPy's random numbers select its tasks and actions, and nothing else",
     },
     Rule {
         words: &["unsafe "],
         files: Only(&["nets/conv/matmul.rs"]),
-        reason: "gemm is called by pointers; everything else is checked by the compiler",
+        reason: "gemm is called with raw pointers; the compiler checks everything else",
     },
     Rule {
         words: &["println!", "eprintln!", "print!", "eprint!", "dbg!"],
         files: Only(&[]),
-        reason: "the library returns what it has to say; commands use `writeln!`, because `println!` panics when nobody reads",
+        reason: "the library returns values and does not print; commands use `writeln!`, because `println!` panics when nobody reads",
     },
     Rule {
         words: &["anyhow", "clap", "indicatif"],
         files: Only(&["main.rs", "command_line/", "commands/"]),
         reason: "the library's errors are types that a caller can match",
     },
-    Rule { words: &["pathlight_lab"], files: Only(&[]), reason: "the player knows nothing of the research behind it" },
+    Rule { words: &["pathlight_lab"], files: Only(&[]), reason: "the player must not depend on the lab" },
 ];
 
 const LAB_RULES: &[Rule] = &[
@@ -136,7 +137,7 @@ const LAB_RULES: &[Rule] = &[
     Rule {
         words: &["println!", "eprintln!", "print!", "eprint!", "dbg!", "stdout()", "stderr()"],
         files: Only(&["commands/"]),
-        reason: "the library returns what it has to say, or writes it where it is told to",
+        reason: "the library returns values or writes to a given destination",
     },
     Rule {
         words: &["burn::", "use burn", "rapier2d"],
@@ -209,14 +210,14 @@ fn every_rule_names_files_that_exist() {
     }
 }
 
-/// The layer that a file below `src/` belongs to; none for lib.rs and main.rs.
+/// Returns the layer of a file below `src/`; none for lib.rs and main.rs.
 fn layer_of(file: &str) -> Option<&str> {
     let first = file.split('/').next().unwrap_or(file);
     let stem = first.strip_suffix(".rs").unwrap_or(first);
     (!["lib", "main"].contains(&stem)).then_some(stem)
 }
 
-/// Whether a statement uses a folder of the library that it calls `root`.
+/// Returns whether a statement uses a folder of the library, which the statement calls `root`.
 fn uses(root: &str, statement: &str, folder: &str) -> bool {
     let grouped = statement.contains(&format!("{root}::{{")) && holds(statement, &format!("{folder}::"));
     grouped || holds(statement, &format!("{root}::{folder}"))
@@ -227,18 +228,18 @@ impl Layers {
         files(self.root, &["rs"])
     }
 
-    /// How a folder names the library: the commands are in the binary.
+    /// Returns the name by which a folder refers to the library: the commands are in the binary.
     fn root_of(&self, folder: &str) -> &'static str {
         if folder == "commands" { self.library } else { "crate" }
     }
 
-    /// The folders of the library that code uses under this name.
+    /// Returns the folders of the library that code uses under this name.
     pub fn used_folders<'a>(&self, root: &'a str, code: &'a str) -> impl Iterator<Item = &'static str> {
         let used = |folder: &&str| code.split(';').any(|statement| uses(root, statement, folder));
         self.folders.iter().copied().filter(used)
     }
 
-    /// What each folder uses of the others, without its tests.
+    /// Returns the dependencies of each folder on the others, without its tests.
     pub fn imports(&self) -> BTreeSet<(String, String)> {
         let mut imports = BTreeSet::new();
         for source in self.sources() {
@@ -250,7 +251,7 @@ impl Layers {
         imports
     }
 
-    /// What a file uses of folders that are not before its own.
+    /// Returns the uses in a file of folders that do not come before its own.
     fn upward_imports(&self, file: &str, code: &str) -> Vec<String> {
         let Some(own) = layer_of(file).and_then(|name| self.folders.iter().position(|folder| *folder == name)) else {
             return Vec::new();

@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 use crate::{assert_refused, output_of, pathlight, run, stderr, stdout, without_dynamics};
 
-/// Those of examples/client.py.
+/// The tasks of examples/client.py.
 const TASKS: [&str; 2] = ["00007:008", "00002:007"];
 
 const AGENT: [&str; 1] = ["agent"];
@@ -40,7 +40,7 @@ impl Partner {
         parsed(&self.ask(&line.to_string()))
     }
 
-    /// Ends it at once, as a crash would.
+    /// Kills the process, as a crash would.
     pub fn kill(mut self) {
         self.process.kill().expect("it runs");
         self.process.wait().expect("it ends");
@@ -52,7 +52,7 @@ impl Partner {
     }
 }
 
-/// The two sides understand each other's lines as they are, and the attempts are those that `propose` lists.
+/// The two commands understand each other's lines unchanged, and the attempts are those that `propose` lists.
 #[test]
 fn agent_and_simulator_play_several_tasks_by_their_own_lines() {
     let mut agent = Partner::new(&["agent", "--agent", "dynamics"]);
@@ -110,7 +110,7 @@ fn a_client_is_never_left_waiting() {
 fn after_a_hundred_attempts_or_a_solution_there_is_no_ball() {
     let mut agent = Partner::new(&["agent", "--agent", "random"]);
     let mut answer = agent.ask_value(&json!({ "task": TASKS[0] }));
-    // Invalid balls are no attempts.
+    // Invalid balls are not attempts.
     for status in std::iter::repeat_n("invalid", 7).chain(std::iter::repeat_n("not_solved", 100)) {
         assert!(answer["ball"].is_array(), "{answer}");
         answer = agent.ask_value(&json!({ "status": status }));
@@ -212,14 +212,13 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     let without = without_dynamics(folder.path());
     for agent in ["online", "online-by-balls", "dynamics"] {
         let words = format!(
-            "the weights have no dynamics net: train one with `pathlight-lab train dynamics`, or leave --agent {agent} \
-             out"
+            "the weights have no dynamics net: train one with `pathlight-lab train dynamics`, or omit --agent {agent}"
         );
         assert_refused(&["agent", "--weights", &without, "--agent", agent], &words);
     }
 }
 
-/// What follows the example: bad lines are answered, and good ones after them.
+/// Input after the example: bad lines are answered, and so are the good ones after them.
 const BAD_AND_GOOD_LINES: &str = r#"
 for process in [agent, simulator]:
     try:

@@ -1,4 +1,4 @@
-//! Custom scenes on the command line, and attempts that are verified: `tasks`, `simulate`, `propose` and `verify`.
+//! Custom scenes on the command line, and verified attempts: `tasks`, `simulate`, `propose` and `verify`.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! Text as people save it, and files under any name, in every command that reads them.
+//! Text as people save it, and files with any name, in every command that reads them.
 
 use std::ffi::OsString;
 use std::fs;
@@ -10,7 +10,7 @@ use crate::{output_of, run, stderr, stdout};
 
 const BATCH: &str = "{\"task\":\"00007:008\",\"ball\":[128,200,15]}\n";
 
-/// Every command that reads text, the argument before the file's name, and such a text.
+/// Every command that reads text, the argument before the file's name, and a valid text.
 fn readers() -> Vec<(Vec<&'static str>, String)> {
     let scene = output_of(&["tasks", "--custom", "00007:008"]);
     let attempt = output_of(&["simulate", "--task", "00007:008", "--ball", "128,200,15", "--verifiable"]);
@@ -40,7 +40,7 @@ fn a_byte_order_mark_changes_nothing_and_utf16_is_named() {
             assert!(said.contains("cannot read -: this is UTF-16: save it as UTF-8"), "{args:?}: {said}");
         }
     }
-    // Files of several, one after the other.
+    // Several files, one after another.
     let attempt = &readers()[4].1;
     assert_eq!(run(&["verify", "-"], &[marked(attempt), marked(attempt)].concat()).status.code(), Some(0));
 }

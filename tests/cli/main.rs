@@ -1,6 +1,6 @@
-//! The command line as its users run it: the real binary, its output, its exit codes.
+//! The command line as users run it: the real binary, its output and its exit codes.
 //!
-//! One module per command, or per behaviour of several. This file runs the binary.
+//! One module per command, or per behaviour shared by several. This file runs the binary.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::ffi::OsStr;
@@ -22,7 +22,7 @@ mod serve;
 mod simulate;
 mod tasks;
 
-/// The binary, without arguments yet.
+/// The binary, without arguments.
 fn pathlight() -> Command {
     Command::new(env!("CARGO_BIN_EXE_pathlight"))
 }
@@ -34,7 +34,7 @@ fn run(args: &[impl AsRef<OsStr>], input: &(impl AsRef<[u8]> + ?Sized)) -> Outpu
     let mut child = command.spawn().expect("the binary starts");
     let mut stdin = child.stdin.take().expect("piped");
     let input = input.as_ref().to_vec();
-    // It may end without reading.
+    // The binary may end without reading.
     let writer = std::thread::spawn(move || drop(stdin.write_all(&input)));
     let output = child.wait_with_output().expect("the binary ends");
     writer.join().expect("the writer ends");
@@ -48,7 +48,7 @@ fn output_of(args: &[&str]) -> String {
     stdout(&output)
 }
 
-/// Returns an answer to a JSON line without the number of the line, which must be this.
+/// Returns an answer to a JSON line without its line number, which must be `number`.
 fn without_line(number: usize, answer: &str) -> Value {
     let mut answer: Value = serde_json::from_str(answer).unwrap_or_else(|error| panic!("{error}: {answer}"));
     assert_eq!(answer.as_object_mut().and_then(|keys| keys.remove("line")), Some(number.into()), "{answer}");

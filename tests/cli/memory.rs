@@ -1,4 +1,4 @@
-//! `pathlight agent` with puzzles that it remembers, and files that keep what it remembers.
+//! `pathlight agent` with puzzles that it remembers, and the files that keep its memory.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use crate::{assert_refused, run, stderr, stdout};
 
 const RANDOM: [&str; 3] = ["agent", "--agent", "random"];
 
-/// Returns the answers of the random agent to some lines.
+/// Returns the random agent's answers to some lines.
 fn answers(more: &[&str], lines: &[Value]) -> Vec<Value> {
     let text: Vec<String> = lines.iter().map(Value::to_string).collect();
     let output = run(&[&RANDOM, more].concat(), &text.join("\n"));
@@ -22,7 +22,7 @@ fn answers(more: &[&str], lines: &[Value]) -> Vec<Value> {
     answers
 }
 
-/// The lines of a puzzle that is solved at the third attempt.
+/// Returns the lines of a puzzle that is solved at the third attempt.
 fn puzzle(task: &str, remember: bool) -> Vec<Value> {
     let [failed, solved] = ["not_solved", "solved"].map(|status| json!({ "status": status }));
     vec![json!({ "task": task, "remember": remember }), failed.clone(), failed, solved]
@@ -91,7 +91,7 @@ fn a_program_that_is_killed_has_kept_the_puzzles_that_were_over() {
     for line in puzzle("00002:007", true).iter().chain(begun) {
         agent.ask(&line.to_string());
     }
-    assert_refused(&[&RANDOM[..], &["--memory", &file]].concat(), "another process uses the memory");
+    assert_refused(&[&RANDOM[..], &["--memory", &file]].concat(), "another process is using the memory");
     agent.kill();
     let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
     assert_eq!(kept["puzzles"][0]["task"], "00002:007");
@@ -147,7 +147,7 @@ fn a_memory_is_kept_and_locked_where_links_lead() {
     let mut agent = Partner::new(&[&RANDOM[..], &["--memory", &link]].concat());
     agent.ask(&puzzle("00002:007", true)[0].to_string());
     for name in [&file, &link, &other] {
-        assert_refused(&[&RANDOM[..], &["--memory", name]].concat(), "another process uses the memory");
+        assert_refused(&[&RANDOM[..], &["--memory", name]].concat(), "another process is using the memory");
     }
     agent.kill();
     answers(&["--memory", &other], &puzzle("00002:007", true));
@@ -162,7 +162,7 @@ fn remember_and_forget_are_refused_where_they_mean_nothing() {
         json!({ "task": "00002:007", "forget": true }),
         json!({ "remember": true }),
     ];
-    let words = ["belongs on the line that begins", "line of its own", "are missing"];
+    let words = ["belongs on the line that begins", "on a separate line", "are missing"];
     for (answer, words) in answers(&[], &lines).iter().zip(words) {
         assert!(answer["error"].as_str().is_some_and(|said| said.contains(words)), "{answer}");
     }

@@ -1,5 +1,5 @@
-//! A reader that closes the pipe early ends any command quietly: no panic, no error, success; `verify` ends with the
-//! code of all lines.
+//! A reader that closes the pipe early ends any command quietly: no panic, no error, success. `verify` ends with the
+//! exit code of all lines.
 
 use std::process::{Output, Stdio};
 
@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 use super::pathlight;
 
-/// Runs a command whose standard output nobody reads, and with `both` whose standard error nobody reads either.
+/// Runs a command whose standard output nobody reads. With `both`, nobody reads its standard error either.
 fn run_unread(args: &[&str], both: bool) -> Output {
     let unread = || {
         let (reader, writer) = std::io::pipe().expect("a pipe");

@@ -1,4 +1,4 @@
-//! `pathlight propose`: the same balls for the same seed, and a file that is written only when it is complete.
+//! `pathlight propose`: the same balls for the same seed, and a file that is written only once it is complete.
 
 use std::fs;
 

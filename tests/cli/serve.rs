@@ -1,4 +1,4 @@
-//! `pathlight serve` is the server of the crate `pathlight-serve`, whose tests hold what it serves.
+//! `pathlight serve` is the server of the crate `pathlight-serve`, whose tests cover the served content.
 
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;

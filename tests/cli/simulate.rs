@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::{assert_refused, output_of, pathlight, run, stderr, stdout, without_line};
 
-/// Two balls that drop, side by side.
+/// A task in which two balls drop side by side.
 const TASK: &str = "00000:000";
 
 #[test]
@@ -41,7 +41,7 @@ fn the_other_engine_names_itself_in_answers_and_attempts() {
     let lines = of(&["--verifiable", "--engine", "rapier"]) + &of(&["--verifiable"]);
     assert!(lines.contains(r#""engine":"rapier""#), "{lines}");
     assert_eq!(run(&["verify", "-"], &lines).status.code(), Some(0));
-    assert_refused(&["simulate", "--task", TASK, "--engine", "soup"], "the engine soup is not known");
+    assert_refused(&["simulate", "--task", TASK, "--engine", "soup"], "unknown engine soup");
 }
 
 #[test]
@@ -119,7 +119,7 @@ fn a_batch_answers_in_order_what_single_runs_answer() {
     }
 }
 
-/// More lines than one chunk has: every kind of outcome, in the order asked.
+/// More lines than fit into one chunk, with every kind of outcome, in the requested order.
 #[test]
 fn a_long_batch_keeps_its_order() {
     let mut requests = String::new();

@@ -120,11 +120,11 @@ fn the_json_reads_as_the_reference_lines_do() {
 
 #[test]
 fn refuses_what_is_no_task_in_words() {
-    assert_refused(&["tasks", "--template", "00025"], "they run from 00000 to 00024");
-    assert_refused(&["tasks", "--template", "+7"], "there is no template");
+    assert_refused(&["tasks", "--template", "00025"], "templates run from 00000 to 00024");
+    assert_refused(&["tasks", "--template", "+7"], "unknown template");
     assert_refused(&["tasks", "--json", "7:13"], "write template and number like 00007:008");
     assert_refused(&["tasks", "--json", "00000:999"], "pathlight tasks --template 00000");
-    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "leave --template and --fold out");
+    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "omit --template and --fold");
     for fold in ["10", "-1", "1.5", "all"] {
         assert_refused(&["tasks", &format!("--fold={fold}")], "the folds are 0 to 9");
         assert_refused(&["propose", &format!("--fold={fold}")], "the folds are 0 to 9");
@@ -141,7 +141,7 @@ fn a_reader_that_has_enough_is_no_error() {
         .spawn()
         .expect("the binary starts");
     let mut first = String::new();
-    // Dropping the reader closes the pipe while most is still to come.
+    // Dropping the reader closes the pipe while most of the output is still to come.
     BufReader::new(child.stdout.take().expect("piped")).read_line(&mut first).expect("a line");
     let mut said = String::new();
     child.stderr.take().expect("piped").read_to_string(&mut said).expect("UTF-8");

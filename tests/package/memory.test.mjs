@@ -144,8 +144,8 @@ test("a memory that cannot be used is refused in a sentence with a code", async 
   memory.remember(TASKS[0], BALL, false);
   const json = memory.toJson();
   for (const [text, says] of [
-    ["", /no memory, or it is damaged/],
-    [json.slice(0, -9), /no memory, or it is damaged/],
+    ["", /not a memory, or it is damaged/],
+    [json.slice(0, -9), /not a memory, or it is damaged/],
     [json.replace('"version":1', '"version":2'), /has format 2/],
     [json.replace(/"weights":"./, '"weights":"x'), /learned with other weights/],
     [json.replace(TASKS[0], "00007:999"), /puzzle 1 of this memory is damaged/],

@@ -213,7 +213,7 @@ test("numbers that a script gets wrong are refused by name", async () => {
   for (const first of [0, -1, 1.5, "1"])
     assert.throws(() => pathlight.auccess([1, /** @type {any} */ (first)]), {
       code: "bad_data",
-      message: /^item 1 has to be the number of the first attempt .*, counted from 1, or null, not /,
+      message: /^item 1 must be the number of the first attempt .*, counted from 1, or null, not /,
     });
   for (const seed of /** @type {any[]} */ ([-1, 1.5, "a", 2 ** 32])) {
     const refused = { code: "bad_data", message: /^a seed is a whole number from 0 to 2\^32 - 1, not / };

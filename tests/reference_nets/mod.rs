@@ -1,5 +1,5 @@
-//! A naive reference implementation of the nets: plain nested loops, written to be read and not to be fast. Images are
-//! channel by channel, row by row.
+//! A naive reference implementation of the nets: plain nested loops, written for readability and not for speed. Images
+//! are stored channel by channel, row by row.
 
 use half::f16;
 use pathlight::nets::success_net::RADII;
@@ -7,7 +7,7 @@ use pathlight::puzzle::scene::Scene;
 use pathlight::raster::{CELLS, CHANNELS, SIDE, scene_channels, scene_coverage};
 use safetensors::SafeTensors;
 
-/// The four maps of a scene, in the order base, target, action, placement.
+/// Returns the four maps of a scene, in the order base, target, action, placement.
 pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
     let scene = channels(scene);
     let base = hourglass(file, "base", &scene, CHANNELS);
@@ -18,8 +18,8 @@ pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
     [base, target, action, placement]
 }
 
-/// The logits of the cells, of the success net or of the dynamics net: the mean over the scene and its mirror image.
-/// Both see how much of each cell is covered.
+/// Returns the logits of the cells, from the success net or the dynamics net: the mean over the scene and its mirror
+/// image. Both nets read the covered share of each cell.
 pub fn cell_logits(file: &SafeTensors, net: &str, scene: &Scene) -> Vec<f32> {
     let mirror = |image: &[f32]| -> Vec<f32> { image.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect() };
     let scene: Vec<f32> =
@@ -32,7 +32,7 @@ fn channels(scene: &Scene) -> Vec<f32> {
     scene_channels(scene).iter().flat_map(|channel| channel.to_f32()).collect()
 }
 
-/// Six convolutions, six transposed ones, a sigmoid.
+/// Six convolutions, six transposed convolutions and a sigmoid.
 fn hourglass(file: &SafeTensors, net: &str, images: &[f32], channels: usize) -> Vec<f32> {
     let (mut x, mut inputs, mut side) = (images.to_vec(), channels, SIDE);
     for layer in 0..6 {
@@ -51,8 +51,8 @@ fn hourglass(file: &SafeTensors, net: &str, images: &[f32], channels: usize) -> 
     x.iter().map(|&logit| 1.0 / (1.0 + (-logit).exp())).collect()
 }
 
-/// Five convolutions; five transposed ones, each but the first on the one before and the encoder's output of its size.
-/// The first channels of the last are the logits.
+/// Five convolutions and five transposed ones, of which each but the first reads the previous layer and the encoder's
+/// output of the same size. The first channels of the last are the logits.
 fn u_net(file: &SafeTensors, net: &str, images: &[f32]) -> Vec<f32> {
     let (mut x, mut inputs, mut side) = (images.to_vec(), CHANNELS, SIDE);
     let mut encoded = Vec::new();
@@ -83,7 +83,7 @@ fn relu(x: Vec<f32>) -> Vec<f32> {
     x.into_iter().map(|value| value.max(0.0)).collect()
 }
 
-/// Weight and bias; a 2 x 2 kernel becomes the 4 x 4 kernel whose centre it is.
+/// Returns the weight and the bias; a 2 x 2 kernel becomes the centre of a 4 x 4 kernel.
 fn layer_of(file: &SafeTensors, layer: &str) -> (Vec<f32>, Vec<f32>) {
     let values = |name: &str| {
         let view = file.tensor(&format!("{layer}.{name}")).expect("every layer has weight and bias");
@@ -103,7 +103,8 @@ fn layer_of(file: &SafeTensors, layer: &str) -> (Vec<f32>, Vec<f32>) {
     (whole, bias)
 }
 
-/// The values of a parameter: in half precision, or as multiples of a step of which few need more than a byte.
+/// Returns the values of a parameter, stored in half precision, or as multiples of a step of which few need more than a
+/// byte.
 fn values_of(file: &SafeTensors, name: &str) -> Vec<f32> {
     let bytes = |name: &str| file.tensor(name).map(|view| view.data().to_vec());
     let pair = |pair: &[u8]| [pair[0], pair[1]];

@@ -17,7 +17,7 @@ fn a_browser_asks_again_and_gets_what_changed() {
     assert_eq!(body, b"// rebuilt");
 }
 
-/// Writes what stands for the compressed forms of a file beside it.
+/// Writes placeholders for the compressed versions of a file next to it.
 fn compress(server: &Server, path: &str) {
     for encoding in ["br", "gz"] {
         let path = server.folder.path().join(format!("{path}.{encoding}"));

@@ -1,4 +1,4 @@
-//! Which files are served, and with which headers.
+//! The files that are served, and their headers.
 
 use std::fs;
 #[cfg(unix)]

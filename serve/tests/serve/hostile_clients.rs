@@ -1,4 +1,4 @@
-//! Hostile or broken clients do not keep others from being served.
+//! Hostile or broken clients do not keep other clients from being served.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 
 use super::{Server, is};
 
-/// Time after which a server that should have given up a client has failed, however busy the machine is.
+/// After this time the server should have dropped the client, however busy the machine is.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Connections at once.
+/// Simultaneous connections.
 const MANY: usize = 1000;
 
-/// Opens a connection that sends this and no more.
+/// Opens a connection that sends `sent` and nothing more.
 fn silent(server: &Server, sent: &str) -> TcpStream {
     let mut stream = TcpStream::connect(&server.address).expect("it listens");
     stream.write_all(sent.as_bytes()).expect("it listens");
@@ -29,7 +29,7 @@ fn assert_served(server: &Server) {
 #[test]
 fn a_thousand_idle_connections_block_nobody() {
     let server = Server::with(&["--patience", "60000"]);
-    // As many as the system lets this process open.
+    // As many connections as the system lets this process open.
     let mut clients = Vec::new();
     while clients.len() < MANY {
         let Ok(mut stream) = TcpStream::connect(&server.address) else { break };
@@ -92,7 +92,7 @@ fn a_head_that_is_too_large_is_refused() {
         "\0".repeat(1 << 20),
     ] {
         let mut stream = silent(&server, "");
-        // It may close before it has read all.
+        // The server may close the connection before it has read the whole head.
         let _ = stream.write_all(head.as_bytes());
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);

@@ -1,4 +1,4 @@
-//! The binary `pathlight-serve`: the files and headers that a browser receives, and what is refused.
+//! The binary `pathlight-serve`: the files and headers that a browser receives, and the requests that are refused.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -21,7 +21,7 @@ fn pathlight_serve() -> Command {
     Command::new(env!("CARGO_BIN_EXE_pathlight-serve"))
 }
 
-/// Asserts that it refuses to start: nothing on standard output, an error that contains these words, exit code 2.
+/// Asserts that the server refuses to start: no standard output, an error that contains these words, exit code 2.
 fn assert_refused(args: &[&str], words: &str) {
     let output = pathlight_serve().args(args).output().expect("the binary starts");
     let said = String::from_utf8(output.stderr).expect("messages are UTF-8");
@@ -29,7 +29,7 @@ fn assert_refused(args: &[&str], words: &str) {
     assert!(said.contains("error: ") && said.contains(words), "{args:?} said {said:?} without {words:?}");
 }
 
-/// A server of temporary folders on a free port; ends with the test.
+/// A server of temporary folders on a free port. It ends with the test.
 struct Server {
     child: Child,
     /// `127.0.0.1:PORT`
@@ -37,7 +37,7 @@ struct Server {
     folder: TempDir,
 }
 
-/// Creates the folders that it serves by default: `page` and `assets`.
+/// Creates the folders that are served by default: `page` and `assets`.
 fn page() -> TempDir {
     let folder = tempdir().expect("a folder");
     let root = folder.path();
@@ -58,12 +58,12 @@ impl Server {
         Server::with(&[])
     }
 
-    /// Starts it with these arguments.
+    /// Starts the server with these arguments.
     fn with(args: &[&str]) -> Server {
         Server::serving(page(), args)
     }
 
-    /// Starts it in a folder with these arguments.
+    /// Starts the server in a folder with these arguments.
     fn serving(folder: TempDir, args: &[&str]) -> Server {
         let mut child = pathlight_serve()
             .args(["--port", "0"])
@@ -79,13 +79,13 @@ impl Server {
         Server { child, address, folder }
     }
 
-    /// Returns head and body of the response; `path` is sent unchanged, `headers` are whole lines.
+    /// Returns the head and body of the response. `path` is sent unchanged; `headers` are whole lines.
     fn get(&self, path: &str, headers: &[&str]) -> (String, Vec<u8>) {
         let host = format!("Host: {}", self.address);
         self.send(path, &[&[&*host], headers].concat())
     }
 
-    /// As `get`, but without a `Host` header.
+    /// Like `get`, but without a `Host` header.
     fn send(&self, target: &str, headers: &[&str]) -> (String, Vec<u8>) {
         let mut stream = TcpStream::connect(&self.address).expect("it listens");
         let headers: String = headers.iter().map(|header| format!("{header}\r\n")).collect();

@@ -1,4 +1,4 @@
-//! Hosts, methods and ranges that requests name, and the log of them.
+//! Hosts, methods and ranges of requests, and the access log.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -138,7 +138,7 @@ fn the_log_has_a_line_for_each_request() {
 #[test]
 fn a_log_that_nobody_reads_holds_nothing_up() {
     let mut server = Server::with(&["--log"]);
-    // More than a pipe takes.
+    // More than the capacity of a pipe.
     let long = format!("/main.js?{}", "a".repeat(20_000));
     for _ in 0..20 {
         assert!(is(&server.get(&long, &[]).0, 200));

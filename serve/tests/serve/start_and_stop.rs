@@ -1,4 +1,4 @@
-//! What it refuses to start with, and how it stops.
+//! Reasons to refuse to start, and ways to stop.
 
 use std::io::Read;
 use std::net::{TcpListener, TcpStream};
@@ -24,7 +24,7 @@ fn a_folder_that_is_not_there_is_refused_in_words() {
 #[test]
 fn an_ipv6_address_may_be_in_brackets() {
     if TcpListener::bind("[::1]:0").is_err() {
-        // Without IPv6 it must still be read as an address.
+        // Without IPv6, the text must still be parsed as an address.
         return assert_refused(&["--dir", ".", "--assets", ".", "--port", "0", "--host", "[::1]"], "os error");
     }
     let server = Server::with(&["--host", "[::1]"]);
@@ -43,7 +43,7 @@ fn a_server_on_all_addresses_prints_one_that_opens_and_answers_to_any_name() {
     }
 }
 
-/// Sends a signal to it.
+/// Sends a signal to the server.
 #[cfg(unix)]
 pub fn signal(server: &Server, name: &str) {
     let sent = Command::new("kill").args([name, &server.child.id().to_string()]).status().expect("kill runs");
@@ -68,7 +68,7 @@ fn open_requests_are_finished_first() {
     let mut server = Server::start();
     let (mut stream, size) = server.download();
     signal(&server, "-TERM");
-    // It no longer listens once it has handled the signal.
+    // The server stops listening when it handles the signal.
     while TcpStream::connect(&server.address).is_ok() {}
     let mut rest = Vec::new();
     stream.read_to_end(&mut rest).expect("the rest");
@@ -79,7 +79,7 @@ fn open_requests_are_finished_first() {
 #[cfg(unix)]
 #[test]
 fn an_open_request_delays_the_end_for_a_limited_time() {
-    // The client's own limit does not end it.
+    // The client's time limit must not end the server.
     let mut server = Server::with(&["--patience", "60000"]);
     let (stream, _) = server.download();
     signal(&server, "-TERM");

@@ -1,11 +1,11 @@
-//! A memory of attempts that outlives the puzzle. What an attempt taught changes the chances of similar balls in
-//! similar scenes, from puzzle to puzzle.
+//! A memory of attempts that outlives the puzzle. Each attempt changes the chances of similar balls in similar scenes
+//! of later puzzles.
 //!
-//! Kernel logistic regression, learned online (Kivinen, Smola and Williamson 2004). The logit of a ball is the prior's,
-//! plus one term for each remembered attempt: its weight times the similarity of the two scenes times the similarity
-//! of the two balls. Its weight says how unexpected its outcome was. Mirrored scenes count too. Natively and in wasm
-//! the sums are the same to the bit: they use libm and a fixed order, and files keep all numbers exactly. Knows no
-//! simulator and no net.
+//! The method is kernel logistic regression, learned online (Kivinen, Smola and Williamson 2004). The logit of a ball
+//! is the prior's logit plus one term for each remembered attempt: the attempt's weight times the similarity of the two
+//! scenes times the similarity of the two balls. The weight expresses how unexpected the outcome was. Mirrored scenes
+//! count too. The sums are the same to the bit natively and in wasm: they use libm and a fixed order, and files keep
+//! all numbers exactly. Uses no simulator and no net.
 
 use serde::{Deserialize, Serialize};
 
@@ -22,21 +22,21 @@ mod saved;
 mod scene_sketch;
 mod settings;
 
-/// Version of what a memory teaches. Raise it whenever the same attempts make an agent that remembers propose other
-/// balls or another order: results of such agents record it beside `agents::VERSION`, and those of other versions are
-/// not comparable. `tests/memory_golden.rs` fails when the random agent's change.
+/// Version of a memory's effect. Raise it whenever the same attempts make an agent with a memory propose other balls or
+/// another order. Results of such agents record it together with `agents::VERSION`, and those of other versions are not
+/// comparable. `tests/memory_golden.rs` fails when the random agent's proposals change.
 pub const VERSION: u32 = 2;
 
-/// Attempts that are remembered. The oldest puzzles are forgotten first, but the last one keeps its latest attempts.
+/// Number of attempts to remember. The oldest puzzles are forgotten first, but the last one keeps its latest attempts.
 pub const CAPACITY: usize = 4000;
 
-/// What a puzzle is played on: a task, or another scene.
+/// The source of a puzzle: a task, or another scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PuzzleSource {
     /// A task of the benchmark.
     Task(TaskId),
-    /// A scene that is no task.
+    /// A scene that is not a task.
     Scene(Box<Scene>),
 }
 
@@ -49,7 +49,7 @@ impl PuzzleSource {
         }
     }
 
-    /// Rounds the numbers of a scene, so that any parser reads the same bits.
+    /// Rounds the numbers of a scene, so that every parser reads the same bits.
     fn rounded(mut self) -> PuzzleSource {
         if let PuzzleSource::Scene(scene) = &mut self {
             for Body { x, y, angle, shapes, .. } in &mut scene.bodies {
@@ -66,21 +66,22 @@ impl PuzzleSource {
     }
 }
 
-/// An attempt that is remembered.
+/// A remembered attempt.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
     /// The ball, px.
     pub ball: Ball,
-    /// The chance that the agent gave it before, 0..=1, rounded to `CHANCES`, so that any parser reads the same bits.
+    /// The chance that the agent gave the ball beforehand, 0..=1, rounded to `CHANCES`, so that every parser reads the
+    /// same bits.
     pub chance: f64,
     /// Whether it solved the puzzle.
     pub solved: bool,
 }
 
-/// Steps of the chances.
+/// Steps per unit to which chances are rounded.
 const CHANCES: f64 = 10_000.0;
 
-/// Steps of a px, and of a radian.
+/// Steps per px and per radian to which scenes are rounded.
 const LENGTHS: f64 = 1_000_000.0;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -94,13 +95,13 @@ struct RememberedPuzzle {
 /// Centres of the green object and of its goal, px.
 type Anchors = [[f64; 2]; 2];
 
-/// All attempts that are remembered.
+/// All remembered attempts.
 #[derive(Clone, Debug)]
 pub struct Memory {
     settings: Settings,
-    /// In the order in which they were played; the last one may still be played.
+    /// In the order of play; the last puzzle may still be in progress.
     puzzles: Vec<RememberedPuzzle>,
-    /// Puzzles forgotten before the first.
+    /// Number of puzzles forgotten before the first in `puzzles`.
     forgotten: usize,
 }
 
@@ -111,7 +112,7 @@ impl Default for Memory {
 }
 
 impl Memory {
-    /// Returns a memory of nothing.
+    /// Creates an empty memory.
     pub fn new(settings: Settings) -> Memory {
         Memory { settings, puzzles: Vec::new(), forgotten: 0 }
     }
@@ -125,7 +126,7 @@ impl Memory {
         recollection
     }
 
-    /// Remembers an attempt at the puzzle that was begun last, and the chance that the agent gave it.
+    /// Remembers an attempt at the puzzle that was begun last, with the chance that the agent gave it.
     pub fn observe(&mut self, ball: Ball, chance: f64, solved: bool) {
         let Some(puzzle) = self.puzzles.last_mut() else { return };
         let ball = Ball { x: rounded(ball.x, LENGTHS), y: rounded(ball.y, LENGTHS), r: rounded(ball.r, LENGTHS) };
@@ -133,13 +134,13 @@ impl Memory {
         self.forget_oldest();
     }
 
-    /// Whether this puzzle was begun last.
+    /// Returns whether this puzzle was begun last.
     pub fn is_at(&self, source: &PuzzleSource) -> bool {
         self.puzzles.last().is_some_and(|last| last.source == source.clone().rounded())
     }
 
-    /// Remembers somebody else's attempt at any puzzle. The chance of the ball is that of a random one, given the
-    /// attempts at earlier puzzles.
+    /// Remembers another player's attempt at any puzzle. The ball's chance is that of a random ball, given the attempts
+    /// at earlier puzzles.
     pub fn observe_other(&mut self, source: PuzzleSource, scene: &Scene, ball: Ball, solved: bool) {
         let going_on = if self.is_at(&source) { self.puzzles.pop() } else { None };
         let puzzle = going_on.unwrap_or_else(|| RememberedPuzzle::new(source, scene));
@@ -160,8 +161,8 @@ impl Memory {
         numbered.map(|(RememberedPuzzle { source, attempts, .. }, number)| (number, source, attempts.as_slice()))
     }
 
-    /// Forgets the oldest puzzles until at most `CAPACITY` attempts are left; if the last puzzle alone has more, its
-    /// oldest attempts.
+    /// Forgets the oldest puzzles until at most `CAPACITY` attempts are left. If the last puzzle alone has more,
+    /// forgets its oldest attempts.
     fn forget_oldest(&mut self) {
         let mut attempts = self.attempts();
         let Some((last, earlier)) = self.puzzles.split_last_mut() else { return };
@@ -178,7 +179,7 @@ impl Memory {
         self.forgotten += count;
     }
 
-    /// Returns the number of attempts that are remembered.
+    /// Returns the number of remembered attempts.
     pub fn attempts(&self) -> usize {
         self.puzzles.iter().map(|puzzle| puzzle.attempts.len()).sum()
     }

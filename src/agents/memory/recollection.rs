@@ -11,59 +11,59 @@ use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::TaskId;
 
-/// A similarity of e to minus this, 0.001, or less counts as 0.
+/// A similarity of exp(-6.9), 0.001, or less counts as 0.
 const NEGLIGIBLE: f64 = 6.9;
 
-/// The logit of a random ball before anything is known: a chance of 1.8 %.
+/// The logit of a random ball without prior knowledge: a chance of 1.8 %.
 const RANDOM_LOGIT: f64 = -4.0;
 
-/// How much a puzzle must have moved the logit of a ball to be named.
+/// A puzzle is named as a reminder only if it changed the logit of a ball by at least this much.
 const NOTICEABLE: f64 = 0.25;
 
 /// What the attempts at earlier puzzles say about the balls of a puzzle.
 #[derive(Clone, Debug)]
 pub struct Recollection {
     settings: Settings,
-    /// Attempts in scenes that are like this one.
+    /// Attempts in scenes similar to this one.
     attempts: Vec<Recalled>,
 }
 
-/// An attempt in a scene that is like this one.
+/// An attempt in a scene similar to this one.
 #[derive(Clone, Copy, Debug)]
 struct Recalled {
     /// The number of its puzzle in the memory, from 1.
     puzzle: usize,
     /// The puzzle, if it is a task.
     task: Option<TaskId>,
-    /// Whether this scene is like that one mirrored.
+    /// Whether this scene resembles the mirror image of that one.
     mirrored: bool,
-    /// As it was tried there.
+    /// The ball as it was tried there.
     ball: Ball,
     solved: bool,
     /// The similarity of the scenes, 0..=1.
     similarity: f64,
-    /// How much it moves the logit of a ball just like it.
+    /// By how much the attempt changes the logit of an identical ball.
     weight: f64,
-    /// The matching positions in this scene, px: the same position, the same offset from the green object, and the
-    /// same offset from its goal.
+    /// The matching positions in this scene, px: the same position, the same offset from the green object, and the same
+    /// offset from the goal.
     places: [[f64; 2]; 3],
 }
 
-/// The puzzle that moved the logit of a ball most.
+/// The puzzle that changed the logit of a ball most.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Reminder {
-    /// Its number in the memory, from 1.
+    /// The puzzle's number in the memory, from 1.
     pub puzzle: usize,
-    /// Absent if it is no task.
+    /// Absent if the puzzle is not a task.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub task: Option<TaskId>,
-    /// By how much its attempts moved the logit of the ball.
+    /// By how much the puzzle's attempts changed the logit of the ball.
     pub change: f64,
-    /// The ball of the attempt that moved it most, as it was tried there.
+    /// The ball of the attempt with the largest effect, as it was tried there.
     pub ball: Ball,
     /// Whether that attempt solved its puzzle.
     pub solved: bool,
-    /// Whether the scene is like that of the puzzle mirrored.
+    /// Whether the scene resembles the mirror image of the puzzle's scene.
     pub mirrored: bool,
 }
 
@@ -104,17 +104,17 @@ impl Memory {
 }
 
 impl Recollection {
-    /// Returns by how much the memory moves the logit of a ball.
+    /// Returns by how much the memory changes the logit of a ball.
     pub fn change(&self, ball: Ball) -> f64 {
         self.attempts.iter().map(|attempt| self.change_by(attempt, ball)).sum()
     }
 
-    /// Returns the chance, 0..=1, of a ball about which only the memory knows anything.
+    /// Returns the chance, 0..=1, of a ball, based on the memory alone.
     pub fn chance_of_random(&self, ball: Ball) -> f64 {
         sigmoid(RANDOM_LOGIT + self.change(ball))
     }
 
-    /// Returns the puzzle that moved the logit of a ball most, if one did noticeably.
+    /// Returns the puzzle that changed the logit of a ball most, if the change is noticeable.
     pub fn reminder(&self, ball: Ball) -> Option<Reminder> {
         let mut most: Option<Reminder> = None;
         for of_puzzle in self.attempts.chunk_by(|a, b| a.puzzle == b.puzzle) {
@@ -137,7 +137,7 @@ impl Recollection {
         most
     }
 
-    /// Adds what the memory says to the logits of candidates.
+    /// Adds the memory's changes to the logits of candidates.
     pub fn change_logits(&self, candidates: &mut [Candidate]) {
         for candidate in candidates {
             candidate.logit += self.change(candidate.ball);
@@ -145,10 +145,10 @@ impl Recollection {
     }
 
     /// Returns balls that solved the scenes most like this one, at their matching positions in this scene. They are
-    /// valid, distinct, and not known.
+    /// valid, distinct, and not yet known.
     pub fn suggestions(&self, scene: &Scene, is_known: impl Fn(&Ball) -> bool) -> Vec<Ball> {
         let mut solved: Vec<&Recalled> = self.attempts.iter().filter(|attempt| attempt.solved).collect();
-        // The sort is stable: of equal ones the later comes first.
+        // The sort is stable, so among equals the later attempt comes first.
         solved.reverse();
         solved.sort_by(|a, b| b.similarity.total_cmp(&a.similarity));
         let obstacles = Obstacles::new(scene);
@@ -168,13 +168,13 @@ impl Recollection {
         balls
     }
 
-    /// Returns the candidates of an agent without a net: random balls, and the suggestions.
+    /// Returns the candidates of an agent without a net: random balls, then the suggestions.
     pub fn random_candidates(&self, scene: &Scene, seed: u64, count: usize) -> Vec<Candidate> {
         self.candidates(scene, random(scene, seed, count.max(CANDIDATES)), |_| RANDOM_LOGIT)
     }
 
-    /// Returns the balls of a list, and behind them the suggestions, as candidates of which nothing is imagined.
-    /// `prior` gives the logit of a ball by its rank in the list, from 1.
+    /// Returns the balls of a list, then the suggestions, as candidates without imagined paths. `prior` gives the logit
+    /// of a ball by its rank in the list, from 1.
     pub fn candidates(&self, scene: &Scene, list: Vec<Proposal>, prior: impl Fn(usize) -> f64) -> Vec<Candidate> {
         let mut balls: Vec<Ball> = Vec::new();
         for proposal in list {
@@ -192,7 +192,7 @@ impl Recollection {
         candidates
     }
 
-    /// By how much an attempt moves the logit of a ball.
+    /// Returns by how much an attempt changes the logit of a ball.
     fn change_by(&self, attempt: &Recalled, ball: Ball) -> f64 {
         let dr = ball.r - attempt.ball.r;
         let similarity = self.settings.shares.iter().zip(attempt.places).map(|(&share, [x, y])| {
@@ -203,7 +203,7 @@ impl Recollection {
     }
 }
 
-/// Returns a Gaussian of a distance, 1 at 0; 0 where it is negligible.
+/// Returns a Gaussian of a distance, 1 at 0, and exactly 0 where it is negligible.
 fn gaussian(squared_distance: f64, length: f64) -> f64 {
     let exponent = squared_distance / (2.0 * length * length);
     if exponent > NEGLIGIBLE { 0.0 } else { libm::exp(-exponent) }

@@ -1,8 +1,8 @@
-//! A memory as JSON, to be kept between runs.
+//! A memory as JSON, to keep between runs.
 //!
 //! `{"version","weights","forgotten","puzzles":[{"task" or "scene","attempts":[{"ball","chance","solved"},…]},…]}`. A
-//! scene is kept whole, without its sketch, so that a later version may compare scenes in another way. All numbers have
-//! few digits: a parser may read others one bit off.
+//! scene is kept whole, without its sketch, so that a later version can compare scenes in another way. All numbers have
+//! few digits, because a parser may read longer ones one bit off.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,16 +16,16 @@ use crate::puzzle::utf8::{NotUtf8, utf8};
 /// Version of the format.
 const FORMAT: u32 = 1;
 
-/// Most puzzles that can have been forgotten: the numbers of those that follow have to fit into the 32 bits of wasm.
+/// Upper limit on forgotten puzzles: the numbers of the puzzles that follow must fit into the 32 bits of wasm.
 const MAX_FORGOTTEN: u32 = u32::MAX / 2;
 
-/// Why a memory cannot be used.
+/// Reasons why a memory cannot be used.
 #[derive(Debug, thiserror::Error)]
 #[allow(missing_docs, reason = "the messages say it")]
 pub enum MemoryError {
     #[error(transparent)]
     Text(#[from] NotUtf8),
-    #[error("this is no memory, or it is damaged: {0}")]
+    #[error("this is not a memory, or it is damaged: {0}")]
     Json(serde_json::Error),
     #[error("this memory has format {0}, but this program reads format {FORMAT}: begin a new one")]
     Format(u32),
@@ -37,13 +37,15 @@ pub enum MemoryError {
     Task { puzzle: usize, why: TaskError },
     #[error("puzzle {puzzle} of this memory is damaged: {why}")]
     Scene { puzzle: usize, why: FormFault },
-    #[error("this memory is damaged: it says that {0} puzzles were forgotten")]
+    #[error("this memory is damaged: it cannot have forgotten {0} puzzles")]
     Forgotten(u32),
-    #[error("attempt {attempt} at puzzle {puzzle} of this memory is damaged: a ball has to be valid, a chance 0 to 1")]
+    #[error(
+        "attempt {attempt} at puzzle {puzzle} of this memory is damaged: the ball must be valid and the chance 0 to 1"
+    )]
     Attempt { puzzle: usize, attempt: usize },
 }
 
-/// What every version has.
+/// The part that all versions have in common.
 #[derive(Deserialize)]
 struct Head {
     version: u32,
@@ -55,7 +57,7 @@ struct Saved {
     /// SHA-256 of the weights that gave the chances; absent without weights.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     weights: Option<String>,
-    /// Puzzles forgotten before the first.
+    /// Number of puzzles forgotten before the first in `puzzles`.
     forgotten: u32,
     puzzles: Vec<SavedPuzzle>,
 }
@@ -68,7 +70,7 @@ struct SavedPuzzle {
 }
 
 impl Memory {
-    /// Returns the memory as JSON. `weights` is the SHA-256 of the weights that it was learned with.
+    /// Returns the memory as JSON. `weights` is the SHA-256 of the weights that the memory was learned with.
     pub fn to_json(&self, weights: Option<&str>) -> String {
         let puzzles = self.puzzles.iter().filter(|puzzle| !puzzle.attempts.is_empty());
         let saved = Saved {
@@ -85,11 +87,12 @@ impl Memory {
         serde_json::to_string(&saved).expect("plain data")
     }
 
-    /// Replaces what is remembered by a memory that `to_json` wrote. Of more than `CAPACITY` attempts the oldest
-    /// puzzles are forgotten.
+    /// Replaces the contents by those of a memory that `to_json` wrote. If it has more than `CAPACITY` attempts, the
+    /// oldest puzzles are forgotten.
     ///
     /// # Errors
-    /// If it is damaged, of another format, or learned with other weights; then nothing has changed.
+    ///
+    /// If the JSON is damaged, has another format, or was learned with other weights. The memory is then unchanged.
     pub fn read_json(&mut self, json: &[u8], weights: Option<&str>) -> Result<(), MemoryError> {
         let json = utf8(json)?;
         let Head { version } = serde_json::from_str(json).map_err(MemoryError::Json)?;
@@ -125,7 +128,7 @@ impl SavedPuzzle {
             let ball = moved_inside(*ball);
             let is_valid = match &self.source {
                 PuzzleSource::Task(_) => ball.check(&scene).is_ok(),
-                // Its numbers were rounded, so a ball that touched a body may overlap it now.
+                // The scene's numbers were rounded, so a ball that touched a body may now overlap it.
                 PuzzleSource::Scene(_) => ball.check_bounds().is_ok(),
             };
             if !is_valid || !(0.0..=1.0).contains(chance) || rounded(*chance, CHANCES) != *chance {
@@ -136,7 +139,7 @@ impl SavedPuzzle {
     }
 }
 
-/// Returns a ball that rounding put just outside the scene, moved back inside.
+/// Moves a ball that rounding put just outside the scene back inside.
 fn moved_inside(ball: Ball) -> Ball {
     let moved = |place: f64| {
         let inside = place.max(ball.r).min(SIZE - ball.r);

@@ -1,5 +1,5 @@
-//! What a memory compares scenes by: roughly where the bodies of each role are. Whole numbers, so that distances are
-//! the same natively and in wasm.
+//! A coarse sketch for comparing scenes: roughly where the bodies of each role are. It holds whole numbers, so that
+//! distances are the same natively and in wasm.
 
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::raster::{Coverage, SIDE as CELLS_PER_ROW, scene_coverage};
@@ -10,7 +10,7 @@ const SIDE: usize = 16;
 /// Width and height of a cell of a sketch, cells of an image.
 const POOLED: usize = CELLS_PER_ROW / SIDE;
 
-/// The value of a cell that is covered, with all cells around it.
+/// The value of a covered cell whose neighbours are all covered.
 pub(crate) const COVERED: u8 = 255;
 
 /// A scene, pooled and blurred.
@@ -27,14 +27,15 @@ impl SceneSketch {
         SceneSketch(self.0.chunks_exact(SIDE).flat_map(|row| row.iter().rev()).copied().collect())
     }
 
-    /// Returns the sum of the squared differences of all cells, where 1 is a covered cell beside one that is free.
+    /// Returns the sum of the squared differences of all cells, where a fully covered cell and an empty one differ by
+    /// 1.
     pub(crate) fn squared_distance(&self, other: &SceneSketch) -> f64 {
         let squares = self.0.iter().zip(&other.0).map(|(&a, &b)| u32::from(a.abs_diff(b)).pow(2));
         f64::from(squares.sum::<u32>()) / f64::from(u32::from(COVERED).pow(2))
     }
 }
 
-/// The covered pixels of each cell of a sketch.
+/// Returns the number of covered pixels in each cell of a sketch.
 fn pooled(channel: &Coverage) -> Vec<u32> {
     let mut pixels = vec![0; SIDE * SIDE];
     let per_cell = (SIZE as usize / CELLS_PER_ROW).pow(2) as f32;
@@ -44,7 +45,7 @@ fn pooled(channel: &Coverage) -> Vec<u32> {
     pixels
 }
 
-/// Blurs by the binomial filter 1, 2, 1 in both directions; beyond the edge nothing is covered.
+/// Blurs with the binomial filter 1, 2, 1 in both directions. Beyond the edge nothing is covered.
 fn blurred(pixels: &[u32]) -> Vec<u8> {
     let filtered = |values: &[u32], step: usize, place: fn(usize) -> usize| -> Vec<u32> {
         let at = |cell: usize| {

@@ -1,14 +1,14 @@
 //! PHYRE's image of a scene: 256 x 256 colour codes, one per px, row 0 at the bottom.
 //!
-//! Bodies are drawn in their order, later ones over earlier ones. Rounding is PHYRE's at every place, because a pixel
-//! at an edge depends on it: angles, circles and the ends of a line in f32, corners in f64, halves to even.
+//! Bodies are drawn in order, later ones over earlier ones. Every rounding is PHYRE's, because edge pixels depend on
+//! it: f32 for angles, circles and the ends of a line, f64 for corners, and halves to even.
 
 use crate::puzzle::scene::{Body, Role, SIZE, Shape};
 
 /// Width and height of an image, pixels.
 pub const SIDE: usize = SIZE as usize;
 
-/// Edges with a rise below this are horizontal, px.
+/// Edges that rise by less than this count as horizontal, px.
 const LEAST_RISE: f64 = 1e-3;
 
 /// Returns PHYRE's code of a role, 1..=6. 0 is the background.
@@ -23,19 +23,21 @@ pub fn colour_code(role: Role) -> u8 {
     }
 }
 
-/// Draws bodies where they are into an image of `SIDE * SIDE` codes, row by row, and clears the rest.
+/// Draws bodies at their current poses into an image of `SIDE * SIDE` codes, row by row, and clears everything else.
 ///
 /// # Panics
+///
 /// If the image has another size.
 pub fn draw_scene(bodies: &[Body], image: &mut [u8]) {
     image.fill(0);
     bodies.iter().for_each(|body| draw_body(body, colour_code(body.role), image));
 }
 
-/// Draws one body where it is, in this code.
+/// Draws one body at its current pose with this code.
 ///
 /// # Panics
-/// If the image has not `SIDE * SIDE` codes.
+///
+/// If the image does not have `SIDE * SIDE` codes.
 pub fn draw_body(body: &Body, code: u8, image: &mut [u8]) {
     assert_eq!(image.len(), SIDE * SIDE, "an image has one code per px");
     for shape in &body.shapes {
@@ -51,14 +53,14 @@ pub fn draw_body(body: &Body, code: u8, image: &mut [u8]) {
     }
 }
 
-/// An edge of a polygon, upwards.
+/// An edge of a polygon, directed upwards.
 struct Edge {
     lower: [f64; 2],
     upper: [f64; 2],
 }
 
 impl Edge {
-    /// Returns where the edge is at a height, px.
+    /// Returns x of the edge at a height, px.
     fn x_at(&self, height: f32) -> f32 {
         let [[x, y], [u, v]] = [self.lower, self.upper];
         let along = ((f64::from(height) - y) / (v - y)) as f32;
@@ -66,7 +68,7 @@ impl Edge {
     }
 }
 
-/// Draws a convex polygon, counter-clockwise.
+/// Draws a convex polygon whose corners are in counter-clockwise order.
 fn draw_polygon(corners: &[[f64; 2]], code: u8, image: &mut [u8]) {
     let (mut left, mut right) = (Vec::new(), Vec::new());
     for (index, &corner) in corners.iter().enumerate() {
@@ -98,7 +100,7 @@ fn draw_polygon(corners: &[[f64; 2]], code: u8, image: &mut [u8]) {
     }
 }
 
-/// The edge on one side of a polygon at the current height, while that rises.
+/// The edge on one side of a polygon at the current height, as the height rises.
 struct ActiveEdge<'a> {
     edges: &'a [Edge],
     index: usize,
@@ -117,12 +119,12 @@ impl<'a> ActiveEdge<'a> {
     }
 }
 
-/// Returns the pixel that a coordinate is rounded to, in the image or just after it.
+/// Returns the pixel to which a coordinate rounds, in the image or just after it.
 fn pixel(coordinate: f32) -> usize {
     coordinate.round_ties_even().clamp(0.0, SIDE as f32) as usize
 }
 
-/// Draws a circle: from the middle line outwards, each line begins with the ends of the one before.
+/// Draws a circle from the middle row outwards; each row starts from the ends of the previous one.
 fn draw_circle(centre: [f32; 2], radius: f32, code: u8, image: &mut [u8]) {
     let [x, y] = centre.map(|coordinate| (f64::from(coordinate) - 0.5) as f32);
     let near = -radius - 1.0..SIDE as f32 + radius + 1.0;
@@ -167,8 +169,8 @@ mod tests {
     use crate::puzzle::task::Task;
     use crate::puzzle::templates::TEMPLATES;
 
-    /// The digest is that of the images by PHYRE's own functions, `fillConvexPoly` and `draw_circle` of
-    /// image_to_box2d.cpp, compiled by g++ 12 for x86-64 and given the same bodies.
+    /// The digest is that of the images drawn from the same bodies by PHYRE's own functions, `fillConvexPoly` and
+    /// `draw_circle` of image_to_box2d.cpp, compiled by g++ 12 for x86-64.
     #[test]
     fn the_scenes_of_all_tasks_look_as_phyre_draws_them() {
         let mut hash = Sha256::new();

@@ -1,14 +1,14 @@
-//! PHYRE's features of an object: 14 numbers that say what it is and where.
+//! PHYRE's features of an object: 14 numbers that describe it and its pose.
 //!
 //! | index | feature |
 //! | --- | --- |
-//! | 0, 1 | x and y of the centre, in widths of the scene; of a jar the centre of mass |
+//! | 0, 1 | x and y of the centre, in widths of the scene; for a jar, of the centre of mass |
 //! | 2 | angle, in turns, 0..1 |
 //! | 3 | diameter, in widths of the scene |
 //! | 4..8 | shape, one-hot: ball, bar, jar, standing sticks |
 //! | 8..14 | colour, one-hot: red, green, blue, purple, gray, black |
 //!
-//! Rounding is PHYRE's, to f32 at each step, with sine and cosine rounded correctly.
+//! Every rounding is PHYRE's, to f32 at each step, with correctly rounded sine and cosine.
 
 use std::f64::consts::TAU;
 
@@ -16,25 +16,25 @@ use super::colour_codes::colour_code;
 use crate::puzzle::dimensions::{Dimensions, JAR_BASE, JAR_HEIGHT_PER_WIDTH, THICKNESS};
 use crate::puzzle::scene::{Body, Role, SIZE, Shape, ShapeType};
 
-/// Numbers of an object.
+/// Number of features of an object.
 pub const FEATURES: usize = 14;
 
-/// Index of the first number of the shape.
+/// Index of the first feature of the shape.
 const SHAPE: usize = 4;
 
-/// Index of the first number of the colour.
+/// Index of the first feature of the colour.
 const COLOUR: usize = 8;
 
-/// Largest diameter of a body that is made from features, px.
+/// Largest diameter of a body made from features, px.
 const LARGEST: f64 = 4.0 * SIZE;
 
-/// Lengths of the two sticks, in widths that PHYRE's diameter is of.
+/// Length of the two sticks, in multiples of the width from which PHYRE computes their diameter.
 const STICK_PER_WIDTH: f64 = 2.0 / 3.0;
 
-/// PHYRE's width of a jar over its height, for its diameter: from an upper corner to the far lower one.
+/// The width of a jar over its height in PHYRE's diameter, which runs from an upper corner to the opposite lower one.
 const JAR_SPREAD: f64 = (1.0 + JAR_BASE) / 2.0 / JAR_HEIGHT_PER_WIDTH;
 
-/// Features that cannot be those of an object.
+/// Features that do not describe an object.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs, reason = "the messages say it")]
 pub enum BadFeatures {
@@ -46,11 +46,11 @@ pub enum BadFeatures {
     Diameter { least: f64 },
 }
 
-/// The features of a body that does not deform: all but its pose.
+/// The features of a body that do not depend on its pose, and its centre.
 pub struct ObjectFeatures {
-    /// The numbers of a body at the origin.
+    /// The features of the body at the origin.
     constant: [f32; FEATURES],
-    /// From the origin to the centre, in the frame of the body, px up; 0 unless it is a jar.
+    /// Distance from the origin up to the centre, in the frame of the body, px; 0 except for a jar.
     centre: f64,
 }
 
@@ -79,7 +79,7 @@ impl ObjectFeatures {
         features
     }
 
-    /// Returns the centre, px, of the body at a pose: what the first two features are of.
+    /// Returns the centre of the body at a pose, px, as in the first two features.
     pub fn centre_at(&self, [x, y, angle]: [f64; 3]) -> [f64; 2] {
         [x - self.centre * libm::sin(angle), y + self.centre * libm::cos(angle)]
     }
@@ -88,7 +88,8 @@ impl ObjectFeatures {
 /// Returns the body that has these features.
 ///
 /// # Errors
-/// If no body has.
+///
+/// If no body has them.
 pub fn body_of(features: &[f32; FEATURES]) -> Result<Body, BadFeatures> {
     if !features.iter().all(|value| value.is_finite()) {
         return Err(BadFeatures::NotFinite);
@@ -101,7 +102,7 @@ pub fn body_of(features: &[f32; FEATURES]) -> Result<Body, BadFeatures> {
     let least = match shape_type {
         ShapeType::Ball => 0.0,
         ShapeType::Bar | ShapeType::StandingSticks => THICKNESS,
-        // The walls of a lower jar would have no thickness.
+        // The walls of a smaller jar would have no thickness.
         ShapeType::Jar => libm::sqrt(1.0 + JAR_SPREAD * JAR_SPREAD),
     };
     if diameter <= least || diameter > LARGEST {
@@ -136,12 +137,12 @@ fn diameter(dimensions: Dimensions) -> f64 {
     }
 }
 
-/// Returns the height of the jar of this diameter, px.
+/// Returns the height of a jar with this diameter, px.
 fn jar_height(diameter: f64) -> f64 {
     libm::sqrt(diameter * diameter / (1.0 + JAR_SPREAD * JAR_SPREAD))
 }
 
-/// Returns how far the centre of mass of a jar of this diameter is above its origin, px.
+/// Returns how far the centre of mass of a jar with this diameter is above its origin, px.
 fn jar_centre(diameter: f64) -> f64 {
     let (mut moment, mut area) = (0.0, 0.0);
     for shape in (Dimensions::Jar { height: jar_height(diameter) }).shapes() {
@@ -156,8 +157,7 @@ fn jar_centre(diameter: f64) -> f64 {
     moment / area
 }
 
-/// Returns the vector from the origin of a body to a point above it by `height` (px) in its frame, in widths of the
-/// scene.
+/// Returns the vector from the origin of a body to a point `height` (px) above it in its frame, in widths of the scene.
 fn shift(turns: f32, height: f64) -> [f64; 2] {
     let angle = f64::from(turns * 2.0 * std::f32::consts::PI);
     let [sin, cos] = [libm::sin(angle), libm::cos(angle)].map(|value| f64::from(value as f32));
@@ -175,7 +175,7 @@ fn wrapped(angle: f32) -> f32 {
     if rest < 0.0 { (f64::from(rest) + TAU) as f32 } else { rest }
 }
 
-/// Returns the index of the largest value, the first of equals.
+/// Returns the index of the largest value; the first if several are equal.
 fn largest(values: &[f32]) -> usize {
     (0..values.len()).rev().max_by(|&a, &b| values[a].total_cmp(&values[b])).expect("there are values")
 }

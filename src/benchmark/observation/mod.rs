@@ -1,7 +1,8 @@
-//! What PHYRE returns of a simulation: images of colour codes, and the features of its objects.
+//! PHYRE's observations of a simulation: images of colour codes, and the features of its objects.
 //!
-//! A rollout is observed after its first step and then every `stride` steps. Made for the Python package, which has
-//! PHYRE's interface; the nets of this project see the images of `raster`. The images are PHYRE's to the pixel.
+//! A rollout is observed after its first step and then every `stride` steps. Written for the Python package, which has
+//! PHYRE's interface; this project's nets use the images of `raster`. The images are identical to PHYRE's, pixel by
+//! pixel.
 
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Rollout;
@@ -13,10 +14,10 @@ pub mod features;
 /// PHYRE's `DEFAULT_STRIDE`: one observation per second.
 pub const DEFAULT_STRIDE: usize = 60;
 
-/// px per metre (PHYRE); the simulator's, which this folder does not use.
+/// px per metre (PHYRE). The same as in the simulator, which this folder does not use.
 const PX_PER_METRE: f32 = 6.0;
 
-/// Returns the bodies of a scene and the ball, if there is one, last: PHYRE's objects.
+/// Returns PHYRE's objects: the bodies of a scene, followed by the ball if there is one.
 pub fn objects(scene: &Scene, ball: Option<Ball>) -> Vec<Body> {
     scene.bodies.iter().cloned().chain(ball.map(|ball| ball.body())).collect()
 }
@@ -26,10 +27,11 @@ pub fn observed_steps(rollout: &Rollout, stride: usize) -> impl ExactSizeIterato
     (1..rollout.steps + 1).step_by(stride.max(1))
 }
 
-/// Moves the objects of a rollout to where they are after a step.
+/// Moves the objects of a rollout to their poses after a step.
 ///
 /// # Panics
-/// If the rollout is not of these objects, or has fewer steps.
+///
+/// If the rollout does not belong to these objects, or has fewer steps.
 pub fn move_to_step(objects: &mut [Body], rollout: &Rollout, step: usize) {
     for body in objects.iter_mut().filter(|body| !body.dynamic) {
         body.x = through_metres(body.x);
@@ -42,7 +44,7 @@ pub fn move_to_step(objects: &mut [Body], rollout: &Rollout, step: usize) {
     }
 }
 
-/// A coordinate as it comes back from the engine, px: f32, converted to metres and back.
+/// Returns a coordinate as the engine reports it, px: f32, converted to metres and back.
 fn through_metres(px: f64) -> f64 {
     f64::from(px as f32 / PX_PER_METRE * PX_PER_METRE)
 }

@@ -1,4 +1,4 @@
-//! The lines that an agent is told: a task or a scene to begin with, and what became of a ball.
+//! The lines that an agent reads: a task or a scene to begin, or the outcome of a ball.
 
 use anyhow::{Context, bail, ensure};
 use pathlight::puzzle::action::Ball;
@@ -14,22 +14,22 @@ use serde_json::Value;
 
 use super::super::json_lines;
 
-/// Longest line, bytes. The paths of a rollout need about 10,000, a scene less.
+/// Longest line, bytes. The paths of a rollout need about 10,000; a scene needs less.
 pub const MAX_LINE: usize = 1 << 18;
 
 const EXAMPLES: &str = r#"write a line like {"task":"00007:008"} or {"status":"not_solved"}"#;
 
-/// What a line says.
+/// The content of a line.
 pub enum Line {
     Begin {
         puzzle: Begun,
-        /// Play with what was remembered, and remember the attempts.
+        /// Use what the memory holds, and remember the attempts.
         remember: bool,
     },
-    /// Forget what was remembered.
+    /// Forget everything in the memory.
     Forget,
     Outcome {
-        /// The task and the ball that it is the outcome of, if the line names them, as those of `simulate` do.
+        /// The task and the ball that the outcome belongs to, if the line names them, as the lines of `simulate` do.
         task: Option<TaskId>,
         ball: Option<Ball>,
         status: Status,
@@ -37,14 +37,14 @@ pub enum Line {
     },
 }
 
-/// A puzzle to begin with.
+/// A puzzle to begin.
 pub enum Begun {
     Task(TaskId),
     Scene(Scene),
     Custom(Box<Puzzle>),
 }
 
-/// The keys of a line; others are ignored.
+/// The keys of a line; other keys are ignored.
 #[derive(Deserialize)]
 struct Keys {
     task: Option<TaskId>,
@@ -60,14 +60,14 @@ struct Keys {
 
 impl Line {
     /// # Errors
-    /// Says what is wrong with the line, and how to write it.
+    /// If the line is not valid; the error names the fault and the remedy.
     pub fn parse(line: &str) -> anyhow::Result<Line> {
         let Keys { task, scene, remember, forget, ball, status, paths } = json_lines::parse(line, EXAMPLES)?;
         ensure!(!remember || status.is_none(), "`remember` belongs on the line that begins the puzzle; {EXAMPLES}");
         let begins = |puzzle| Line::Begin { puzzle, remember };
         match (task, scene, status, forget) {
             (None, None, None, true) if !remember => Ok(Line::Forget),
-            (_, _, _, true) => bail!("`forget` belongs on a line of its own: {{\"forget\":true}}"),
+            (_, _, _, true) => bail!("`forget` belongs on a separate line: {{\"forget\":true}}"),
             (task, None, Some(status), false) => {
                 let sampled = |paths: RecordedPaths| {
                     let [object, ball] = [&paths.object, &paths.ball].map(|path| path.len());
@@ -81,19 +81,20 @@ impl Line {
                          tenth step: leave out those between, or `paths` if there are none",
                         RecordedPaths::MOST
                     );
-                    paths.sampled().context("`paths` has poses that lie too far apart: correct them")
+                    paths.sampled().context("`paths` has poses that are too far apart: correct them")
                 };
                 Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()?.map(Box::new) })
             }
             (Some(task), None, None, false) => Ok(begins(Begun::Task(task))),
             (None, Some(scene), None, false) => scene_line(scene).map(begins),
             (None, None, None, false) => bail!("`task`, `scene` and `status` are missing; {EXAMPLES}"),
-            _ => bail!("`task`, `scene` and `status` belong on lines of their own; {EXAMPLES}"),
+            _ => bail!("`task`, `scene` and `status` belong on separate lines; {EXAMPLES}"),
         }
     }
 }
 
-/// Returns what a scene begins: a custom scene has a version, others are as `tasks --json` prints them.
+/// Returns the puzzle that a scene begins. A custom scene has a version; other scenes are as `tasks --json` prints
+/// them.
 fn scene_line(scene: Value) -> anyhow::Result<Begun> {
     if scene.get("version").is_none() {
         let scene: Scene = serde_json::from_value(scene).map_err(|error| anyhow::anyhow!("{error}; {EXAMPLES}"))?;

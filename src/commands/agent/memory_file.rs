@@ -1,4 +1,4 @@
-//! The file that keeps what puzzles with "remember" teach. One process at a time uses it.
+//! The file that stores what puzzles with "remember" teach. Only one process at a time can use it.
 
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
@@ -11,28 +11,31 @@ use pathlight::command_line::replace_file::{check_replaceable, replace_file, wit
 
 pub struct MemoryFile {
     file: PathBuf,
-    /// Of a file beside it, as the file itself is replaced. It stays there: another process may be opening it.
+    /// The lock on a separate file next to it, because the file itself is replaced. The lock file is never deleted,
+    /// since another process may be opening it.
     _lock: File,
-    /// SHA-256 of the weights that the memory is learned with.
+    /// SHA-256 of the weights that the memory was learned with.
     weights: Option<String>,
-    /// What the file holds.
+    /// The current content of the file.
     written: String,
 }
 
 impl MemoryFile {
-    /// Opens the file, and reads the memory that it holds; an empty one if it is not there yet.
+    /// Opens the file and reads the memory in it. The memory is empty if the file does not exist yet.
     ///
     /// # Errors
-    /// If another process uses it, it cannot be read or written, or does not hold a memory of these weights.
+    ///
+    /// If another process is using the file, if it cannot be read or written, or if it does not hold a memory of these
+    /// weights.
     pub fn open(path: &Path, weights: Option<String>) -> anyhow::Result<(MemoryFile, Memory)> {
         let name = path.display();
         check_replaceable(path)?;
-        // Whatever links lead to it, it has one lock.
+        // All links that lead to the file share one lock.
         let file = without_links(path)?;
         let lock = lock_file(&file);
         let lock = File::create(&lock).with_context(|| format!("cannot write {}", lock.display()))?;
         if let Err(TryLockError::WouldBlock) = lock.try_lock() {
-            bail!("another process uses the memory in {name}: wait until it has ended, or name another file");
+            bail!("another process is using the memory in {name}: wait until it ends, or name another file");
         }
         let mut opened = MemoryFile { file, _lock: lock, weights, written: String::new() };
         let mut memory = Memory::default();
@@ -45,11 +48,12 @@ impl MemoryFile {
         Ok((opened, memory))
     }
 
-    /// Writes the memory, if it has changed. The file that was there stays until the new one is complete, so that a
-    /// program that is ended meanwhile loses one puzzle at most.
+    /// Writes the memory, if it has changed. The old file stays until the new one is complete, so a program that is
+    /// killed in the meantime loses at most one puzzle.
     ///
     /// # Errors
-    /// If it cannot be written.
+    ///
+    /// If the file cannot be written.
     pub fn save(&mut self, memory: &Memory) -> anyhow::Result<()> {
         let json = memory.to_json(self.weights.as_deref());
         if json == self.written {

@@ -1,7 +1,7 @@
-//! `pathlight agent`: an agent that plays against any simulator, over JSON lines. `simulate --batch - --paths` is the
-//! other side: it reads the agent's lines and writes the lines that the agent reads.
+//! `pathlight agent`: an agent that plays against any simulator, over JSON lines. `simulate --batch - --paths` is its
+//! counterpart: it reads the agent's lines and writes the lines that the agent reads.
 //!
-//! `json_lines` has the protocol. A line that cannot be used changes nothing. `player` answers.
+//! `json_lines` defines the protocol, and `player` answers. A line that cannot be used changes nothing.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -23,26 +23,26 @@ mod player;
 
 /// Play against any simulator: read tasks and outcomes as JSON lines, and answer each with the next ball
 ///
-/// {"task":"00007:008"} begins a puzzle. So does {"scene":{…}}, with a scene as `tasks --json` or `tasks --custom`
-/// prints it. The answer is {"line","task","ball":[x,y,r]}: the number of the line, and the first ball in px.
+/// {"task":"00007:008"} begins a puzzle. So does {"scene":{…}}, with a scene as printed by `tasks --json` or
+/// `tasks --custom`. The answer is {"line","task","ball":[x,y,r]}: the number of the line, and the first ball in px.
 ///
 /// {"status":"solved"}, "not_solved" or "invalid" is the outcome of that ball. The line may also have
 /// "paths":{"object":[[x,y,angle],…],"ball":[…]}, the poses of the green object and of the ball at the start and at
 /// every tenth step, in px and radians. The answer is the next ball, or "ball":null once the puzzle is solved, 100
-/// attempts are made or no ball is left.
+/// attempts have been made or no ball is left.
 ///
 /// {"task":"00007:008","remember":true} begins a puzzle with what earlier puzzles with "remember" taught, and remembers
 /// its attempts. The answer may have "reminder": the puzzle that changed the chance of the ball most. {"forget":true}
-/// forgets all, and is answered with {"line","remembered":0}.
+/// forgets everything, and the answer is {"line","remembered":0}.
 ///
-/// A line that cannot be used changes nothing and is answered with {"line","error"}; if there was one, the exit code is
+/// A line that cannot be used changes nothing, and the answer is {"line","error"}. If there was one, the exit code is
 /// 2. Blank lines are not answered.
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Agent that plays [default: online, success or paper, whichever the weights allow first in this order]
+    /// Agent to play with [default: the first of online, success and paper for which the weights have the nets]
     #[arg(long, value_parser = agent())]
     agent: Option<AgentName>,
 
@@ -56,8 +56,8 @@ pub struct Args {
     #[command(flatten)]
     dqn: DqnArgs,
 
-    /// Keep what puzzles with "remember" teach in this file, and begin with what it holds. One process at a time
-    /// uses it; FILE.lock beside it sees to that
+    /// Keep what puzzles with "remember" teach in this file, and begin with what it holds; one process at a time can
+    /// use it, which FILE.lock ensures
     #[arg(long, value_name = "FILE")]
     memory: Option<PathBuf>,
 }
@@ -121,7 +121,7 @@ fn play(player: &mut Player, mut file: Option<&mut MemoryFile>) -> anyhow::Resul
         });
         match answer {
             Ok(answer) => {
-                // A puzzle may also be left for the next one.
+                // A puzzle may also end because the next one begins.
                 if (answer.ends_puzzle() || begins)
                     && let Some(file) = &mut file
                 {

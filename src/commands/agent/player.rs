@@ -1,4 +1,4 @@
-//! Who answers the lines: the agent, the puzzle that it is at work on, and what it remembers of earlier ones.
+//! Answers the lines: the agent, the puzzle that it is working on, and its memory of earlier puzzles.
 
 use anyhow::ensure;
 use pathlight::agents::agent_name::{AgentName, Loaded};
@@ -16,8 +16,8 @@ use serde::Serialize;
 use super::super::simulate::whole_numbers;
 use super::lines::{Begun, Line};
 
-/// Balls that an agent has ready for one puzzle: another simulator may find some of them invalid, which are no
-/// attempts.
+/// Number of balls that an agent prepares for one puzzle. Another simulator may find some of them invalid, and those
+/// are not attempts.
 const BALLS: usize = 2 * MAX_ATTEMPTS;
 
 /// The answer to a line.
@@ -28,27 +28,27 @@ pub enum Answer {
         /// Absent if the puzzle was given as a scene.
         #[serde(skip_serializing_if = "Option::is_none")]
         task: Option<TaskId>,
-        /// Null if there is nothing more to try.
+        /// Null if no ball is left to try.
         #[serde(serialize_with = "whole_numbers")]
         ball: Option<Ball>,
-        /// Which remembered puzzle changed the chance of the ball most, if one did noticeably.
+        /// The remembered puzzle that changed the chance of the ball most, if the change is noticeable.
         #[serde(skip_serializing_if = "Option::is_none")]
         reminder: Option<Reminder>,
     },
     Forgot {
-        /// Attempts that are remembered.
+        /// Number of remembered attempts.
         remembered: usize,
     },
 }
 
 impl Answer {
-    /// Whether nothing more is tried on the puzzle, or all is forgotten.
+    /// Returns whether the puzzle is over, or everything was forgotten.
     pub fn ends_puzzle(&self) -> bool {
         matches!(self, Answer::Ball { ball: None, .. } | Answer::Forgot { .. })
     }
 }
 
-/// The agent, and the puzzle that it is at work on.
+/// The agent, and the puzzle that it is working on.
 pub struct Player {
     pub agent: AgentName,
     pub nets: Option<PathNet>,
@@ -64,11 +64,11 @@ pub struct OpenPuzzle {
     agent: Box<dyn Agent>,
     /// What earlier puzzles say about its balls, if it is played with the memory.
     recollection: Option<Recollection>,
-    /// How it is remembered then.
+    /// The source and the scene to remember it by, if it is played with the memory.
     remembered: Option<(PuzzleSource, Scene)>,
-    /// The ball whose outcome is awaited.
+    /// The ball whose outcome is pending.
     proposal: Option<Proposal>,
-    /// Attempts made; invalid balls are none.
+    /// Number of attempts made, not counting invalid balls.
     used: usize,
 }
 
@@ -76,7 +76,8 @@ impl Player {
     /// Answers a line.
     ///
     /// # Errors
-    /// If the line cannot be used; then nothing has changed.
+    ///
+    /// If the line cannot be used. Nothing has then changed.
     pub fn answer(&mut self, line: Line) -> anyhow::Result<Answer> {
         let puzzle = match line {
             Line::Begin { puzzle, remember } => match puzzle {
@@ -104,11 +105,11 @@ impl Player {
                 ensure!(task.is_none() || task == puzzle.task, "this is the outcome of another task");
                 ensure!(
                     ball.is_none_or(|ball| ball == asked.ball),
-                    "this is the outcome of another ball: the one that waits is {}",
+                    "this is the outcome of another ball: send that of {}",
                     asked.ball
                 );
                 if let Some((source, scene)) = puzzle.remembered.as_ref().filter(|_| status != Status::Invalid) {
-                    // All may have been forgotten in the middle of the puzzle.
+                    // Everything may have been forgotten in the middle of the puzzle.
                     if !self.memory.is_at(source) {
                         self.memory.begin(source.clone(), scene);
                     }
@@ -126,7 +127,7 @@ impl Player {
         self.begin(None, seed, scene, source)
     }
 
-    /// Begins a puzzle; with the memory, if it says how to remember it.
+    /// Begins a puzzle; with the memory if `source` is given.
     fn begin(
         &mut self,
         task: Option<TaskId>,
@@ -151,7 +152,7 @@ impl Player {
 }
 
 impl OpenPuzzle {
-    /// Takes the outcome of the ball that is waiting for it, and proposes the next.
+    /// Records the outcome of the pending ball, and proposes the next.
     fn observe(&mut self, status: Status, paths: Option<SampledPaths>) {
         if status != Status::Invalid {
             self.agent.observe(&Observation { solved: status == Status::Solved, paths });

@@ -1,7 +1,7 @@
 //! A batch: one JSON request per line in, one answer per line out, in the same order, on all cores.
 //!
-//! Works through the lines in chunks, so that memory stays bounded. A chunk ends where the next line has not arrived
-//! yet, so that a client that writes a line and waits gets its answer.
+//! Lines are processed in chunks, so that memory stays bounded. A chunk ends where the next line has not yet arrived,
+//! so that a client that writes a line and waits gets its answer.
 
 use std::fs;
 use std::io::{self, BufWriter, Read, Write};
@@ -20,7 +20,7 @@ use super::{Answer, Format, attempt_line};
 use crate::commands::input;
 use crate::commands::json_lines::{Line, Lines, MAX_LINE, Numbered, Refusal, parse};
 
-/// Lines per core in one chunk: enough that cores rarely wait for one another.
+/// Lines per core in one chunk: enough that cores rarely wait for each other.
 const LINES_PER_CORE: usize = 64;
 
 const EXAMPLE: &str = r#"write a line like {"task":"00007:008","ball":[128,200,15]}"#;
@@ -65,7 +65,7 @@ pub fn run(file: &Path, format: Format, engine: Engine) -> anyhow::Result<()> {
     }
 }
 
-/// The next lines; none at the end. Waits for input only while it has no line.
+/// Returns the next lines; none at the end. Waits for input only while it has no line.
 fn next_chunk(lines: &mut Lines<impl Read>) -> io::Result<Vec<Line>> {
     let mut chunk = Vec::new();
     while chunk.len() < LINES_PER_CORE * rayon::current_num_threads()
@@ -77,7 +77,7 @@ fn next_chunk(lines: &mut Lines<impl Read>) -> io::Result<Vec<Line>> {
     Ok(chunk)
 }
 
-/// The answer to a line, or what is wrong with it.
+/// Returns the answer to a line.
 fn answer(line: Line, format: Format, engine: Engine) -> anyhow::Result<String> {
     let Request { place, start } = parse(&line.text?, EXAMPLE)?;
     let puzzle = match place {
@@ -93,7 +93,7 @@ fn answer(line: Line, format: Format, engine: Engine) -> anyhow::Result<String> 
             let rollout = ball.and_then(|ball| engine.simulate(scene, ball));
             Answer::of_rollout(&puzzle, start, placed, &rollout, engine, true)
         }
-        // Keeps no poses.
+        // This format keeps no poses.
         Format::Answer { paths: false } => {
             let outcome = ball.and_then(|ball| engine.outcome(scene, ball));
             Answer::new(puzzle.id.task(), start, placed, engine, outcome)

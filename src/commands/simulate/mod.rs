@@ -1,7 +1,7 @@
 //! `pathlight simulate`: the outcome of a ball in a task or a custom scene, for one ball or for a file of them.
 //!
-//! Both ways print the same JSON line: task, action if one was asked for, ball in px, status, reason if it is invalid,
-//! and steps. A batch puts the number of the line before it.
+//! Both modes print the same JSON line: task, action if given, ball in px, status, reason if invalid, and steps. A
+//! batch puts the line number first.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -30,11 +30,11 @@ use start::Start;
 #[derive(clap::Args)]
 #[command(group(ArgGroup::new("what").args(["task", "scene", "batch"]).required(true)))]
 pub struct Args {
-    /// Simulate this task, like 00007:008; with neither --action nor --ball, without a ball
+    /// Simulate this task, like 00007:008; without --action or --ball, simulate without a ball
     #[arg(long)]
     task: Option<TaskId>,
 
-    /// Simulate the custom scene of this file ("-" is standard input), JSON as `tasks --schema` describes it
+    /// Simulate the custom scene in this file ("-" is standard input), JSON as described by `tasks --schema`
     #[arg(long, value_name = "FILE")]
     scene: Option<PathBuf>,
 
@@ -55,22 +55,22 @@ pub struct Args {
     #[arg(long)]
     paths: bool,
 
-    /// Print lines that `verify` simulates again, with the digest of all poses
+    /// Print lines that `verify` can simulate again, including the digest of all poses
     #[arg(long, conflicts_with_all = ["poses", "paths"])]
     verifiable: bool,
 
-    /// Also print how many of the 27 balls within a pixel in x, y and radius may be placed and how many of these solve,
-    /// and whether the ball itself solves with --engine rapier
+    /// Also print how many of the 27 balls within a pixel in x, y and radius are valid and how many of these solve, and
+    /// whether the ball itself solves with --engine rapier
     #[arg(long, conflicts_with_all = ["verifiable", "batch", "engine"])]
     luck: bool,
 
     /// Simulate each line of this file ("-" is standard input) on all cores
     ///
-    /// A line is {"task":"00007:008","ball":[X,Y,R]}. A custom scene takes the place of the task as "scene":{…}, and an
-    /// action that of the ball as "action":[x,y,r]; "ball":null simulates without a ball. Each line that is not blank
-    /// is answered, in order, with the outcome and "line", its number; with --verifiable without the number. A line
-    /// that cannot be used is answered with {"line","error"} and named on standard error; if there was one, the exit
-    /// code is 2.
+    /// A line is {"task":"00007:008","ball":[X,Y,R]}. "scene":{…} gives a custom scene instead of the task, and
+    /// "action":[x,y,r] an action instead of the ball; "ball":null simulates without a ball. Each line that is not
+    /// blank is answered, in order, with the outcome and "line", its number; with --verifiable, without the number. A
+    /// line that cannot be used is answered with {"line","error"} and named on standard error; if there was one, the
+    /// exit code is 2.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "scene", "action", "ball", "poses"])]
     batch: Option<PathBuf>,
 
@@ -110,14 +110,14 @@ impl Args {
     }
 }
 
-/// What a batch answers with.
+/// The format of a batch's answers.
 #[derive(Clone, Copy)]
 enum Format {
     Answer { paths: bool },
     Verifiable,
 }
 
-/// Returns the line of an attempt that `verify` simulates again.
+/// Returns the line of an attempt for `verify` to simulate again.
 fn attempt_line(puzzle: &Puzzle, ball: Result<Option<Ball>, Invalid>, engine: Engine) -> AttemptLine {
     match ball {
         Ok(ball) => AttemptLine::of(puzzle, ball, engine),
@@ -131,21 +131,21 @@ struct Answer {
     /// Absent for a custom scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     task: Option<TaskId>,
-    /// Absent if a ball in px was asked for, or none.
+    /// Absent unless an action was given.
     #[serde(skip_serializing_if = "Option::is_none")]
     action: Option<Action>,
-    /// px; null if there is none: none was asked for, or the action places none.
+    /// px; null if there is no ball: none was given, or the action places none.
     #[serde(serialize_with = "whole_numbers")]
     ball: Option<Ball>,
     /// Absent if it is `box2d`.
     #[serde(skip_serializing_if = "Engine::is_first")]
     engine: Engine,
     status: Status,
-    /// Why it is invalid.
+    /// Why the ball is invalid.
     reason: Option<String>,
     /// Steps simulated; 0 if invalid.
     steps: usize,
-    /// What happened, if it was asked for and there is a ball.
+    /// The paths, if requested and if there is a ball.
     #[serde(skip_serializing_if = "Option::is_none")]
     paths: Option<RecordedPaths>,
 }
@@ -186,7 +186,7 @@ pub(super) fn whole_numbers<S: Serializer>(ball: &Option<Ball>, serializer: S) -
     ball.map(|ball| <[f64; 3]>::from(ball).map(|number| number as i32)).serialize(serializer)
 }
 
-/// An answer and, if asked for, its luck and its rollout.
+/// An answer and, if requested, its luck and its rollout.
 #[derive(Serialize)]
 struct ResultLine<'a> {
     #[serde(flatten)]

@@ -1,4 +1,4 @@
-//! How a rollout starts, as a person or a program writes it: with a ball in px, with an action, or without a ball.
+//! The start of a rollout in text or JSON: a ball in px, an action, or no ball.
 //!
 //! An action's ball is rounded to whole px, so a ball in px must have whole numbers too.
 
@@ -8,7 +8,7 @@ use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
-/// What a rollout starts with.
+/// The start of a rollout.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start {
     /// A ball of whole px, or none.
@@ -17,7 +17,7 @@ pub enum Start {
 }
 
 impl Start {
-    /// The action, if it is one.
+    /// Returns the action, if the start is one.
     pub fn action(self) -> Option<Action> {
         match self {
             Start::Ball(_) => None,
@@ -25,10 +25,11 @@ impl Start {
         }
     }
 
-    /// The ball to simulate, if any. A ball in px is left for the simulator to check.
+    /// Returns the ball to simulate, if any. The simulator checks balls in px.
     ///
     /// # Errors
-    /// Says why the action is invalid in this scene.
+    ///
+    /// The reason why the action is invalid in this scene.
     pub fn place(self, scene: &Scene) -> Result<Option<Ball>, Invalid> {
         match self {
             Start::Ball(ball) => Ok(ball),
@@ -45,11 +46,11 @@ pub struct Request {
     pub start: Start,
 }
 
-/// Where a ball is placed.
+/// The task or the scene in which a ball is placed.
 #[derive(Debug, PartialEq)]
 pub enum Place {
     Task(TaskId),
-    /// What may be a custom scene.
+    /// A scene that has not been parsed.
     Scene(Value),
 }
 
@@ -74,22 +75,22 @@ impl TryFrom<Keys> for Request {
         let place = match (task, scene) {
             (Some(task), None) => Place::Task(task),
             (None, Some(scene)) => Place::Scene(scene),
-            (Some(_), Some(_)) => return Err("`task` and `scene` exclude each other: leave one out"),
+            (Some(_), Some(_)) => return Err("`task` and `scene` exclude each other: omit one"),
             (None, None) => return Err("`task` or `scene` is missing"),
         };
         let start = match (ball, action) {
             (Some(ball), None) => Start::Ball(ball.map(whole).transpose()?),
             (None, Some(action)) => Start::Action(action),
-            (Some(_), Some(_)) => return Err("`ball` and `action` exclude each other: leave one out"),
+            (Some(_), Some(_)) => return Err("`ball` and `action` exclude each other: omit one"),
             (None, None) => return Err("`ball` or `action` is missing; \"ball\":null simulates without a ball"),
         };
         Ok(Request { place, start })
     }
 }
 
-/// Refuses a ball that is not of whole px.
+/// Refuses a ball that is not in whole px.
 fn whole(ball: Ball) -> Result<Ball, &'static str> {
-    // The cast saturates and drops fractions, so whatever it changes is not a whole number of px.
+    // The cast saturates and drops fractions, so a number that it changes is not a whole number of px.
     if <[f64; 3]>::from(ball).iter().all(|&number| f64::from(number as i32) == number) {
         Ok(ball)
     } else {

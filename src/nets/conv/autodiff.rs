@@ -1,4 +1,4 @@
-//! Both layers in burn's autodiff: what the forward pass saves, and where the gradients go. Native only.
+//! Both layers in burn's autodiff: the tensors that the forward pass saves, and the gradients. Native only.
 
 use burn::backend::autodiff::NodeId;
 use burn::backend::autodiff::checkpoint::base::Checkpointer;
@@ -21,7 +21,7 @@ struct ConvUp {
     relu: bool,
 }
 
-/// What the backward pass needs of the forward pass: input, weights and output of a layer.
+/// The tensors of the forward pass that the backward pass needs: input, weights and output of a layer.
 type SavedTensors = [FloatTensor<Flex>; 3];
 
 impl Backward<Flex, 3> for ConvDown {
@@ -48,7 +48,7 @@ impl Backward<Flex, 3> for ConvUp {
     }
 }
 
-/// Registers the gradients of input, weights and bias, as far as they are needed.
+/// Registers the gradients of input, weights and bias, if they are needed.
 fn register(
     parents: [Option<NodeId>; 3],
     [x, weight, _]: &SavedTensors,

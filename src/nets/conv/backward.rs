@@ -1,9 +1,9 @@
 //! The backward pass of both layers on plain slices.
 //!
-//! With `C = im2col(x)` and the weights `W`, `conv_down` is `W C` and `conv_up` is `col2im(W^T x)`. So the gradient
-//! with respect to the input of one is the other without its bias, and the gradient with respect to the weights is the
-//! product of the coarse images and the transposed columns of the fine ones (`weight_gradient` where the layer is a
-//! direct convolution). Native only, used by `autodiff`: the page does not train.
+//! With `C = im2col(x)` and the weights `W`, `conv_down` is `W C` and `conv_up` is `col2im(W^T x)`. The gradient with
+//! respect to the input of either layer is therefore the other layer without its bias. The gradient with respect to the
+//! weights is the product of the coarse images and the transposed columns of the fine ones (`weight_gradient` where the
+//! layer is a direct convolution). Native only, used by `autodiff`: the page does not train.
 
 use std::sync::Mutex;
 
@@ -14,15 +14,15 @@ use super::weight_gradient::WeightGradient;
 
 /// Gradients of the loss with respect to the input, the weights and the bias of a layer.
 pub(crate) struct Gradients {
-    /// Zeros if nobody needs it.
+    /// Zeros if it is not needed.
     pub x: Vec<f32>,
     pub weight: Vec<f32>,
     pub bias: Vec<f32>,
 }
 
 impl Layer<'_> {
-    /// Gradients of `conv_down` from its input, its output and the gradient `dy` with respect to its output; that with
-    /// respect to the input only if `input_needs_it`.
+    /// Returns the gradients of `conv_down` from its input, its output and the gradient `dy` with respect to its
+    /// output. The gradient with respect to the input is computed only if `input_needs_it`.
     pub(crate) fn conv_down_backward(&self, x: &[f32], y: &[f32], dy: &[f32], input_needs_it: bool) -> Gradients {
         let geometry = &self.geometry;
         let mut dx = vec![0.0; x.len()];
@@ -54,8 +54,8 @@ impl Layer<'_> {
         Gradients { x: dx, weight, bias }
     }
 
-    /// Gradients of `conv_up` from its input, its output if a ReLU follows, and the gradient `dy` with respect to its
-    /// output.
+    /// Returns the gradients of `conv_up` from its input, its output if a ReLU follows, and the gradient `dy` with
+    /// respect to its output.
     pub(crate) fn conv_up_backward(&self, x: &[f32], y: Option<&[f32]>, dy: &[f32]) -> Gradients {
         let geometry = &self.geometry;
         let channels = geometry.coarse_channels;
@@ -88,8 +88,8 @@ impl Layer<'_> {
         Gradients { x: dx, weight, bias }
     }
 
-    /// Calls `work` for every group and sums up the gradients of the groups in their order, so that the result does not
-    /// depend on the number of cores. `out` has `len` values per sample, the bias one per channel.
+    /// Calls `work` for every group and sums the gradients of the groups in order, so that the result does not depend
+    /// on the number of cores. `out` has `len` values per sample, the bias one per channel.
     fn sum_over_groups(
         &self,
         out: &mut [f32],
@@ -115,13 +115,13 @@ impl Layer<'_> {
     }
 }
 
-/// Gradients with respect to weights and bias, of one group or of all.
+/// Gradients with respect to weights and bias, of one group or of all groups.
 struct ParameterGradients {
     weight: Vec<f32>,
     bias: Vec<f32>,
 }
 
-/// The gradient with respect to the input of a ReLU with output `y`; without a ReLU, the gradient as it is.
+/// Returns the gradient with respect to the input of a ReLU with output `y`; without a ReLU, the unchanged gradient.
 fn relu_backward(dy: &[f32], y: Option<&[f32]>) -> Vec<f32> {
     match y {
         Some(y) => dy.iter().zip(y).map(|(dy, y)| if *y > 0.0 { *dy } else { 0.0 }).collect(),
@@ -129,7 +129,7 @@ fn relu_backward(dy: &[f32], y: Option<&[f32]>) -> Vec<f32> {
     }
 }
 
-/// Adds the sum of every channel of some samples.
+/// Adds the sum over each channel of some samples.
 fn add_channel_sums(sums: &mut [f32], images: &[f32], cells: usize) {
     let channels = sums.len();
     for (index, plane) in images.chunks_exact(cells).enumerate() {
@@ -144,7 +144,8 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// Step of the central difference. The layers are linear but for the ReLU, so a long step is exact and rounds less.
+    /// Step of the central difference. The layers are linear apart from the ReLU, so a long step is exact and rounds
+    /// less.
     const STEP: f32 = 0.125;
 
     /// Both kernels, batches of one group and of several, the last of six columns, matrix products and direct
@@ -160,7 +161,7 @@ mod tests {
         (0..count).map(|_| rng.random_range(-1.0..1.0)).collect()
     }
 
-    /// The central difference of `f` in one of its values.
+    /// Returns the central difference of `f` in one of its values.
     fn central_difference(at: &[f32], index: usize, f: impl Fn(&[f32]) -> f64) -> f64 {
         let moved = |by: f32| {
             let mut at = at.to_vec();

@@ -1,10 +1,10 @@
 //! Both layers as direct convolutions of 4 x 4 kernels, for coarse images of at least 8 x 8 cells.
 //!
-//! Tiles of some output channels by some columns of a row are summed up in registers. With stride 2, the taps of a
-//! kernel row that meet the same phase, the even or the odd columns of the fine image, are neighbours in that phase: so
-//! both layers are sums over pairs of neighbouring taps, and one tile serves both. `conv_down` reads the fine image
-//! split into phases; `conv_up` computes each phase of the fine image from the coarse one and interleaves them. Used by
-//! `forward` and `backward`.
+//! The sums of a tile, some output channels by some columns of a row, stay in registers. With stride 2, the taps of a
+//! kernel row that meet the same phase (the even or the odd columns of the fine image) are neighbours in that phase.
+//! Both layers are therefore sums over pairs of neighbouring taps, and the same tile serves both. `conv_down` reads the
+//! fine image split into phases; `conv_up` computes each phase of the fine image from the coarse one and interleaves
+//! them. Used by `forward` and `backward`.
 
 use pulp::{Simd, WithSimd, bytemuck};
 
@@ -12,17 +12,18 @@ use super::im2col::Geometry;
 use super::planes::Planes;
 use super::simd::{lanes_that_divide, load, multiply_add, vectorize};
 
-/// Output channels and registers of a tile: eight sums, as many as wasm has registers for besides the factors.
+/// Output channels and registers of a tile. Together they make eight sums, as many as wasm has registers for besides
+/// the factors.
 const CHANNELS: usize = if cfg!(target_arch = "wasm32") { 4 } else { 8 };
 const REGISTERS: usize = 8 / CHANNELS;
 
-/// Registers of a tile of one output channel, of up to eight lanes: a row of 32 cells.
+/// Registers of a tile of one output channel, with up to eight lanes: a row of 32 cells.
 const ROW_REGISTERS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
 
-/// Widest coarse row that a net has.
+/// Widest coarse row in any net.
 const WIDEST: usize = 32;
 
-/// A layer with its input and output images, whose sizes are those of `geometry`.
+/// A layer with its input and output images, whose sizes are given by `geometry`.
 pub(crate) struct DirectConv<'a> {
     pub geometry: &'a Geometry,
     /// `[coarse_channels, fine_channels, 4, 4]`.
@@ -37,7 +38,7 @@ pub(crate) struct DirectConv<'a> {
 }
 
 impl DirectConv<'_> {
-    /// Whether the tiles fit a layer.
+    /// Returns whether the tiles fit a layer.
     pub(crate) fn fits(geometry: &Geometry) -> bool {
         let whole = |channels: usize| channels.is_multiple_of(8);
         geometry.kernel == 4
@@ -46,12 +47,12 @@ impl DirectConv<'_> {
             && (whole(geometry.fine_channels) || geometry.coarse_side == WIDEST)
     }
 
-    /// Fine images in, coarse images out.
+    /// Computes coarse images from fine ones.
     pub(crate) fn conv_down(self) {
         vectorize(lanes_that_divide(self.geometry.coarse_side), ConvDown(self));
     }
 
-    /// Coarse images in, fine images out.
+    /// Computes fine images from coarse ones.
     pub(crate) fn conv_up(self) {
         vectorize(lanes_that_divide(self.geometry.coarse_side), ConvUp(self));
     }
@@ -125,7 +126,7 @@ fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, laye
     let side = geometry.coarse_side;
     let mut planes = Planes::new(geometry.coarse_channels, side);
     let offsets = [0, planes.row];
-    // For each phase of the fine image, rows before columns.
+    // One entry per phase of the fine image, rows before columns.
     let mut packed: [_; 4] = std::array::from_fn(|_| vec![[[[0.0; CHANNELS]; 2]; 2]; geometry.coarse_channels]);
     let epilogue = Epilogue::new(simd, relu);
     for (image, y) in x.chunks_exact(geometry.coarse_len()).zip(y.chunks_exact_mut(geometry.fine_len())) {
@@ -167,14 +168,14 @@ fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, laye
     }
 }
 
-/// The 4 x 4 kernels of some weights, row by row.
+/// Returns the 4 x 4 kernels of some weights, row by row.
 #[inline(always)]
 fn kernels(weight: &[f32]) -> &[[[f32; 4]; 4]] {
     weight.as_chunks::<4>().0.as_chunks::<4>().0
 }
 
-/// The taps of `conv_up` that reach the even fine cells (phase 0) or the odd ones (phase 1) of a row or of a column, in
-/// the order of the coarse cells that they are multiplied with. A coarse cell spreads over four fine cells, from the
+/// Returns the taps of `conv_up` that reach the even fine cells (phase 0) or the odd ones (phase 1) of a row or column,
+/// in the order of the coarse cells that they are multiplied with. A coarse cell spreads over four fine cells, from the
 /// one before its own two to the one after them:
 ///
 /// ```text
@@ -184,8 +185,8 @@ fn kernels(weight: &[f32]) -> &[[[f32; 4]; 4]] {
 /// tap of coarse i+1                   0     1
 /// ```
 ///
-/// So the even cell 2i is coarse i-1 by tap 3 and coarse i by tap 1; the odd cell 2i+1 is coarse i by tap 2 and coarse
-/// i+1 by tap 0.
+/// So the even cell 2i receives coarse i-1 by tap 3 and coarse i by tap 1; the odd cell 2i+1 receives coarse i by tap 2
+/// and coarse i+1 by tap 0.
 #[inline(always)]
 fn taps_of_phase(phase: usize) -> [usize; 2] {
     [3 - phase, 1 - phase]
@@ -198,9 +199,9 @@ fn interleave(to: &mut [f32], even: &[f32], odd: &[f32]) {
     }
 }
 
-/// Sums of `REGISTERS` registers of neighbouring columns in `CHANNELS` output channels. For each input channel, a pair
-/// of taps covers the cells from its offset on and their right neighbours; `weights` are `[input channels][pairs][left,
-/// right][output channels]`.
+/// Returns the sums of `REGISTERS` registers of neighbouring columns in `CHANNELS` output channels. For each input
+/// channel, a pair of taps covers the cells from its offset onwards and their right neighbours; `weights` are
+/// `[input channels][pairs][left, right][output channels]`.
 #[inline(always)]
 fn tile<S: Simd, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usize>(
     simd: S,
@@ -226,7 +227,7 @@ fn tile<S: Simd, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usi
     sums
 }
 
-/// What follows the sums of a layer: its bias and, if there is one, its ReLU.
+/// The steps after the sums of a layer: its bias and, if there is one, its ReLU.
 struct Epilogue<S: Simd> {
     least: S::f32s,
 }
@@ -253,7 +254,7 @@ mod tests {
         (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 77.0).collect()
     }
 
-    /// Proposals are the same on every machine and in wasm, whose registers have four lanes.
+    /// Proposals must be the same on every machine and in wasm, whose registers have four lanes.
     #[test]
     fn the_number_of_lanes_changes_no_bit() {
         for (fine_channels, coarse_side) in [(5, 32), (8, 16), (16, 8)] {

@@ -10,13 +10,13 @@ use super::direct::DirectConv;
 use super::im2col::Geometry;
 use super::matmul::{Matrix, matmul};
 
-/// Values in the columns of a group: 256 KiB, what a second-level cache holds.
+/// Values in the columns of a group: 256 KiB, which fit into a second-level cache.
 const GROUP_LEN: usize = 1 << 16;
 
 /// Most samples in a group, so that a batch of 32 keeps two cores busy.
 const MAX_GROUP: usize = 16;
 
-/// Most samples in a group of direct convolutions, which need no columns: the weights are packed once for a group.
+/// Most samples in a group of direct convolutions, which need no columns. The weights are packed once per group.
 const DIRECT_GROUP: usize = 4;
 
 /// A layer with its weights, `[coarse_channels, fine_channels, kernel, kernel]`.
@@ -82,13 +82,13 @@ impl Layer<'_> {
         y
     }
 
-    /// The weights as a matrix `[coarse_channels, patch_len]`.
+    /// Returns the weights as a matrix `[coarse_channels, patch_len]`.
     pub(crate) fn matrix(&self) -> Matrix<'_> {
         let patch = self.geometry.patch_len();
         Matrix::new(self.weight, self.geometry.coarse_channels, patch, patch)
     }
 
-    /// Coarse images `[samples, coarse_channels, coarse_cells]` as `[coarse_channels, samples * coarse_cells]`.
+    /// Returns coarse images `[samples, coarse_channels, coarse_cells]` as `[coarse_channels, samples * coarse_cells]`.
     pub(crate) fn channels_first(&self, images: &[f32], samples: usize) -> Vec<f32> {
         let cells = self.geometry.coarse_cells();
         let mut transposed = Vec::with_capacity(images.len());
@@ -123,7 +123,7 @@ impl Layer<'_> {
     }
 }
 
-/// `f32::max` without its care for NaN, which is a call in wasm.
+/// Like `f32::max`, but without its handling of NaN, which is a call in wasm.
 fn at_least(value: f32, least: f32) -> f32 {
     if value > least { value } else { least }
 }
@@ -136,12 +136,12 @@ pub(crate) struct Group {
 }
 
 impl Group {
-    /// Where their fine images lie in the batch.
+    /// Returns the range of their fine images in the batch.
     pub(crate) fn fine(&self, geometry: &Geometry) -> std::ops::Range<usize> {
         self.range(geometry.fine_len())
     }
 
-    /// Where their coarse images lie in the batch.
+    /// Returns the range of their coarse images in the batch.
     pub(crate) fn coarse(&self, geometry: &Geometry) -> std::ops::Range<usize> {
         self.range(geometry.coarse_len())
     }
@@ -156,7 +156,7 @@ pub(crate) struct Columns {
     pub data: Vec<f32>,
     /// Columns: `samples * coarse_cells`.
     pub count: usize,
-    /// Values from one row to the next.
+    /// Distance in values between the starts of two rows.
     pub stride: usize,
     samples: usize,
 }
@@ -164,7 +164,7 @@ pub(crate) struct Columns {
 impl Columns {
     pub(crate) fn zeros(geometry: &Geometry, samples: usize) -> Columns {
         let count = samples * geometry.coarse_cells();
-        // Rows whose distance is a power of two would all fall on the same cache lines.
+        // If row starts were a power of two apart, they would all map to the same cache lines.
         let stride = if count >= 64 { count + 16 } else { count };
         Columns { data: vec![0.0; geometry.patch_len() * stride], count, stride, samples }
     }

@@ -1,11 +1,11 @@
 //! im2col and col2im: patches of an image as the columns of a matrix, and columns added back into an image.
 //!
-//! A fine image of side `2 n` meets a coarse one of side `n`: each coarse cell covers a `kernel` x `kernel` patch of
-//! the fine image, with stride 2 and zero padding `(kernel - 2) / 2`. `im2col` copies the patches into columns;
-//! `col2im`, its adjoint, adds columns up where they came from. Plain loops over slices; used by `forward` and
-//! `backward` only.
+//! A fine image of side `2 n` corresponds to a coarse one of side `n`: each coarse cell covers a `kernel` x `kernel`
+//! patch of the fine image, with stride 2 and zero padding `(kernel - 2) / 2`. `im2col` copies the patches into
+//! columns; `col2im`, its adjoint, adds the columns back to where they came from. Plain loops over slices; used only by
+//! `forward` and `backward`.
 
-/// How a fine image and a coarse one meet.
+/// The geometry of a fine image and a coarse one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Geometry {
     /// Channels of the fine image.
@@ -19,37 +19,38 @@ pub(crate) struct Geometry {
 }
 
 impl Geometry {
-    /// Cells of one channel of a coarse image.
+    /// Returns the number of cells in one channel of a coarse image.
     pub(crate) fn coarse_cells(&self) -> usize {
         self.coarse_side * self.coarse_side
     }
 
-    /// Cells of one channel of a fine image.
+    /// Returns the number of cells in one channel of a fine image.
     pub(crate) fn fine_cells(&self) -> usize {
         4 * self.coarse_cells()
     }
 
-    /// Values of a coarse image in all channels.
+    /// Returns the number of values of a coarse image in all channels.
     pub(crate) fn coarse_len(&self) -> usize {
         self.coarse_channels * self.coarse_cells()
     }
 
-    /// Values of a fine image in all channels.
+    /// Returns the number of values of a fine image in all channels.
     pub(crate) fn fine_len(&self) -> usize {
         self.fine_channels * self.fine_cells()
     }
 
-    /// Values of a patch in all fine channels.
+    /// Returns the number of values of a patch in all fine channels.
     pub(crate) fn patch_len(&self) -> usize {
         self.fine_channels * self.taps()
     }
 
-    /// Taps of the kernel of one channel.
+    /// Returns the number of taps of the kernel of one channel.
     fn taps(&self) -> usize {
         self.kernel * self.kernel
     }
 
-    /// The taps that cover a fine row: at most two pairs of a kernel row and the coarse row whose patch it belongs to.
+    /// Returns the taps that cover a fine row: at most two pairs of a kernel row and the coarse row whose patch it
+    /// belongs to.
     fn row_taps(&self, fine_row: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
         let (side, kernel) = (self.coarse_side, self.kernel);
         let padded_row = fine_row + (kernel - 2) / 2;
@@ -81,7 +82,7 @@ impl Geometry {
         }
     }
 
-    /// Adds columns up where `im2col` took them from: `[patch_len, coarse_cells]` to `[fine_channels, 2 n, 2 n]`.
+    /// Adds columns back to where `im2col` took them from: `[patch_len, coarse_cells]` to `[fine_channels, 2 n, 2 n]`.
     pub(crate) fn col2im(&self, columns: &[f32], stride: usize, image: &mut [f32]) {
         let (side, kernel) = (self.coarse_side, self.kernel);
         for (channel, plane) in image.chunks_exact_mut(self.fine_cells()).enumerate() {
@@ -106,8 +107,8 @@ impl Geometry {
     }
 }
 
-/// The even and the odd cells of a fine row, so that what a column of the kernel covers is contiguous. Cell 0 is
-/// `even[0]` and cell 1 is `odd[1]`; the places beyond both ends are padding.
+/// The even and the odd cells of a fine row, so that the cells covered by a column of the kernel are contiguous. Cell 0
+/// is `even[0]` and cell 1 is `odd[1]`; the entries beyond both ends are padding.
 struct DeinterleavedRow {
     even: [f32; 34],
     odd: [f32; 34],
@@ -128,7 +129,8 @@ fn deinterleave(cells: &[f32], side: usize) -> DeinterleavedRow {
     row
 }
 
-/// What a column of the kernel covers of a fine row: the cell `2 x + tap - padding` for each coarse column x.
+/// Returns the cells of a fine row that a column of the kernel covers: the cell `2 x + tap - padding` for each coarse
+/// column x.
 fn covered(row: &DeinterleavedRow, kernel: usize, tap: usize) -> &[f32] {
     match (kernel, tap) {
         (4, 0) => &row.odd,

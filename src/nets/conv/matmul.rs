@@ -1,17 +1,18 @@
-//! The matrix product under the layers of few cells: our own loops for one scene, the gemm crate for batches.
+//! The matrix product of the layers with few cells: our own loops for one scene, the gemm crate for batches.
 //!
-//! gemm packs both matrices into tiles first, which pays off for batches, where its products are also those of the
-//! weight gradients. For one scene each weight is read only once or a few times, and packing costs more than the sums:
-//! `few_columns` reads the weights where they lie. Used by `forward` and `backward`.
+//! gemm first packs both matrices into tiles. This pays off for batches, where its products also include those of the
+//! weight gradients. For one scene, each weight is read only once or a few times, and packing costs more than the sums:
+//! `few_columns` reads the weights in place. Used by `forward` and `backward`.
 
 use pulp::{Simd, WithSimd, bytemuck};
 
 use super::simd::{lanes_that_divide, load, multiply_add, vectorize};
 
-/// Rows of `a` that `few_columns` takes at once: their number must be a multiple of this, unless `b` is one column.
+/// Rows of `a` that `few_columns` processes at once. The number of rows must be a multiple of this, unless `b` is one
+/// column.
 pub(crate) const TILE_ROWS: usize = 8;
 
-/// Maximum number of lanes of the registers that hold rows.
+/// Maximum number of lanes in the registers that hold rows.
 const ROWS_LANES: usize = 16;
 
 /// Maximum number of columns of `b` for which gemm does not pay off.
@@ -44,7 +45,7 @@ impl<'a> Matrix<'a> {
     }
 }
 
-/// `out = a b`; the rows of `out` begin `stride` values apart.
+/// Computes `out = a b`; the rows of `out` begin `stride` values apart.
 pub(crate) fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits its slice");
     #[cfg(not(target_arch = "wasm32"))]
@@ -85,7 +86,7 @@ fn gemm(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     }
 }
 
-/// `out = a b` for a `b` of contiguous rows: one column, or a multiple of four.
+/// Computes `out = a b` for a `b` with contiguous rows: one column, or a multiple of four.
 fn few_columns(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(b.column_stride == 1, "rows of b are contiguous");
     let has_rows = b.columns == 1 || fits_rows(a, b);
@@ -93,7 +94,7 @@ fn few_columns(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     vectorize(lanes, FewColumns { out, stride, a, b });
 }
 
-/// Whether `rows_in_registers` multiplies them.
+/// Returns whether `rows_in_registers` can multiply them.
 fn fits_rows(a: Matrix, b: Matrix) -> bool {
     b.columns == 4 && a.row_stride == 1 && a.rows.is_multiple_of(2 * ROWS_LANES)
 }
@@ -125,7 +126,7 @@ impl WithSimd for FewColumns<'_> {
     }
 }
 
-/// Tiles of `ROWS` rows by `REGISTERS` registers of columns.
+/// Multiplies in tiles of `ROWS` rows by `REGISTERS` registers of columns.
 #[expect(clippy::needless_range_loop, reason = "iterators make the code for wasm slower")]
 #[inline(always)]
 fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
@@ -170,7 +171,7 @@ fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
     }
 }
 
-/// A transposed matrix times four columns. A register holds the sums of neighbouring rows in one column.
+/// Multiplies a transposed matrix by four columns. A register holds the sums of neighbouring rows in one column.
 #[inline(always)]
 fn rows_in_registers<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     let height = 2 * S::F32_LANES;
@@ -193,8 +194,8 @@ fn rows_in_registers<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix
     }
 }
 
-/// A transposed matrix times one register of columns: four rows of the untransposed matrix at a time, so that memory is
-/// read in its order.
+/// Multiplies a transposed matrix by one register of columns, four rows of the untransposed matrix at a time, so that
+/// memory is read in order.
 #[inline(always)]
 fn one_register<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(a.columns.is_multiple_of(4) && a.row_stride == 1, "whole tiles");
@@ -212,7 +213,7 @@ fn one_register<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: 
     }
 }
 
-/// A matrix times one column.
+/// Multiplies a matrix by one column.
 #[inline(always)]
 fn matvec(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     let right: Vec<f32> = (0..b.rows).map(|k| b.data[k * b.row_stride]).collect();
@@ -246,7 +247,7 @@ fn matvec(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     }
 }
 
-/// Sixteen partial sums, so that no addition waits for the previous one.
+/// Uses sixteen partial sums, so that no addition waits for the previous one.
 #[inline(always)]
 fn dot(left: &[f32], right: &[f32]) -> f32 {
     let mut sums = [0.0; 16];
@@ -264,7 +265,7 @@ fn dot(left: &[f32], right: &[f32]) -> f32 {
 mod tests {
     use super::*;
 
-    /// The shapes of one scene: tiles, four columns, one column; weights as they are and transposed.
+    /// The shapes that occur for one scene: tiles, four columns, one column; weights as stored and transposed.
     #[test]
     fn the_loops_for_few_columns_agree_with_gemm() {
         let values = |count: usize| -> Vec<f32> { (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect() };
@@ -282,7 +283,7 @@ mod tests {
         }
     }
 
-    /// What the unsafe call relies on.
+    /// The unsafe call relies on this.
     #[test]
     fn matrices_that_do_not_fit_their_slices_are_refused() {
         let data = vec![0.0; 40 * 40];

@@ -3,7 +3,7 @@
 //! burn's own `conv2d` and `conv_transpose2d` define the result: they are the default bodies of `StridedConv`, which
 //! ndarray runs. On flex, layers of at least 8 x 8 coarse cells are direct convolutions whose sums stay in registers
 //! (`direct`). The deeper layers, with few cells and many weights, are one matrix product by im2col (Chellapilla et al.
-//! 2006): the columns `[fine channels * kernel^2, samples * coarse cells]` hold, for each coarse cell, the patch of the
+//! 2006). The columns `[fine channels * kernel^2, samples * coarse cells]` hold, for each coarse cell, the patch of the
 //! fine image that its kernel covers. With weights `W` `[coarse channels, fine channels * kernel^2]`, `conv_down` is `W
 //! * im2col(x)` and `conv_up` is `col2im(W^T * x)`. Bias and ReLU follow in the same pass.
 //!
@@ -37,7 +37,7 @@ mod weight_gradient;
 use forward::Layer;
 use im2col::Geometry;
 
-/// Whether layers of these output channels divide into whole tiles of the kernels. A net asserts it of its widths at
+/// Returns whether layers with these output channels divide into whole tiles of the kernels. Each net asserts this at
 /// compile time.
 pub(crate) const fn fit_tiles(widths: &[usize]) -> bool {
     let mut index = 0;
@@ -87,7 +87,7 @@ pub(crate) fn conv_up(layer: &ConvTranspose2d, x: Tensor<4>, relu: bool) -> Tens
     ))
 }
 
-/// The two layers on the tensors of a backend. Stride 2; kernel 4 with padding 1, or kernel 2 without padding.
+/// The two layers on the tensors of a backend, with stride 2 and a kernel of 4 with padding 1 or of 2 without padding.
 /// Weights: `[coarse channels, fine channels, kernel, kernel]`.
 #[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(feature = "training"))]
 pub(crate) trait StridedConv: Backend {
@@ -141,12 +141,12 @@ fn geometry(weight: &FloatTensor<Flex>, coarse_side: usize) -> Geometry {
     Geometry { coarse_channels: shape[0], fine_channels: shape[1], coarse_side, kernel: shape[2] }
 }
 
-/// The values of a contiguous tensor.
+/// Returns the values of a contiguous tensor.
 fn slice(tensor: &FloatTensor<Flex>) -> &[f32] {
     tensor.as_slice().expect("a contiguous tensor of f32")
 }
 
-/// The tensor `[batch, channels, side, side]` of these values.
+/// Returns the tensor `[batch, channels, side, side]` of these values.
 fn images(values: Vec<f32>, channels: usize, side: usize) -> FloatTensor<Flex> {
     let shape = [values.len() / (channels * side * side), channels, side, side];
     FloatTensor::<Flex>::from_data(TensorData::new(values, shape))

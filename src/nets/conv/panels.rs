@@ -1,29 +1,30 @@
 //! The products of a linear layer with a few columns, for the perceptron of the dynamics net.
 //!
-//! Most of its inputs have gone through a ReLU: rows of zeros, which add nothing to any sum, are left out. The others
-//! are multiplied and added in their order, so the sums are those of `matmul`, bit for bit. Used by `imagined_balls`.
+//! Most of its inputs have passed through a ReLU. Rows of zeros, which add nothing to any sum, are skipped. The
+//! remaining rows are multiplied and added in order, so the sums equal those of `matmul`, bit for bit. Used by
+//! `imagined_balls`.
 
 use pulp::{Simd, WithSimd};
 
 use super::simd::{load, multiply_add, vectorize};
 
-/// Outputs of a tile, which with two registers of columns are eight sums: as many as wasm has registers for besides the
-/// factors.
+/// Outputs of a tile. With two registers of columns this makes eight sums, as many as wasm has registers for besides
+/// the factors.
 const OUTPUTS: usize = 4;
 
 /// Columns of a product: two registers.
 pub(crate) const COLUMNS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 16 };
 
-/// The weights of a layer in panels of some outputs, so that a tile reads them in their order.
+/// The weights of a layer in panels of a few outputs, so that a tile reads them in order.
 pub(crate) struct Panels {
-    /// For each panel `[inputs, OUTPUTS]`, with zeros for the outputs that a last panel lacks.
+    /// The panels, each `[inputs, OUTPUTS]`; the last is padded with zeros.
     weights: Vec<Vec<[f32; OUTPUTS]>>,
     inputs: usize,
     outputs: usize,
 }
 
 impl Panels {
-    /// Returns the panels of finite weights `[inputs, outputs]`.
+    /// Creates panels from finite weights `[inputs, outputs]`.
     pub(crate) fn new(weight: &[f32], outputs: usize) -> Panels {
         let panel = |first: usize| {
             let rows = weight.chunks_exact(outputs).map(move |row| &row[first..outputs.min(first + OUTPUTS)]);
@@ -43,7 +44,7 @@ impl Panels {
     pub(crate) fn multiply(&self, x: &[f32]) -> Vec<f32> {
         let (x, _) = x.as_chunks::<COLUMNS>();
         assert!(self.weights.iter().all(|panel| panel.len() == x.len()), "a row for each input");
-        // All bits but those of the signs: what is not a number is not zero.
+        // Tests all bits except the sign, so that NaN does not count as zero.
         let is_zero = |row: &[f32; COLUMNS]| row.iter().fold(0, |bits, value| bits | value.to_bits()) << 1 == 0;
         let rows = x.iter().enumerate().filter(|(_, row)| !is_zero(row)).collect();
         let mut y = vec![[0.0; COLUMNS]; self.weights.len() * OUTPUTS];
@@ -55,7 +56,7 @@ impl Panels {
 
 struct Product<'a> {
     panels: &'a [Vec<[f32; OUTPUTS]>],
-    /// The rows of the inputs that are not zero, each with its number.
+    /// The rows of the inputs that are not zero, each with its index.
     rows: Vec<(usize, &'a [f32; COLUMNS])>,
     y: &'a mut [[f32; COLUMNS]],
 }

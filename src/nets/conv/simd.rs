@@ -1,14 +1,13 @@
-//! Vector registers by pulp, which selects the instructions of the processor at run time: AVX-512, AVX2 or SSE4.1 on
+//! Vector registers through pulp, which selects the processor's instructions at run time: AVX-512, AVX2 or SSE4.1 on
 //! x86-64, and simd128 in wasm.
 //!
-//! The kernels of the forward pass do not fuse a multiplication with an addition, and each sum has an order of its own
-//! that does not depend on the number of lanes. So all instruction sets compute the same maps, bit for bit, and so does
-//! wasm. `weight_gradient` and gemm, which multiplies only batches, do fuse, so trained weights depend on the
-//! processor.
+//! The kernels of the forward pass do not fuse multiplications with additions, and the order of each sum does not
+//! depend on the number of lanes. All instruction sets, including wasm's, therefore compute the same maps, bit for bit.
+//! `weight_gradient` and gemm, which multiplies only batches, do fuse, so trained weights depend on the processor.
 
 use pulp::{Simd, WithSimd};
 
-/// Runs `work` on the widest registers of the processor, but of at most `lanes` lanes where it has several widths.
+/// Runs `work` on the widest registers of the processor. If it has several widths, uses at most `lanes` lanes.
 #[cfg_attr(not(target_arch = "x86_64"), expect(unused_variables, reason = "there is one width"))]
 pub(crate) fn vectorize<W: WithSimd>(lanes: usize, work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
@@ -30,14 +29,14 @@ pub(crate) fn vectorize<W: WithSimd>(lanes: usize, work: W) -> W::Output {
     baseline(work)
 }
 
-/// Returns the number of lanes into which rows of this length divide.
+/// Returns the largest number of lanes, a power of two, that divides the length of a row.
 pub(crate) fn lanes_that_divide(row: usize) -> usize {
     1 << row.trailing_zeros()
 }
 
-/// Runs `work` on what every processor of the architecture has.
+/// Runs `work` with the instructions that every processor of the architecture has.
 fn baseline<W: WithSimd>(work: W) -> W::Output {
-    // `.cargo/config.toml` enables it here; a build of the published crate, or with RUSTFLAGS of its own, may lack it.
+    // `.cargo/config.toml` enables it here. A build of the published crate, or one that sets RUSTFLAGS, may lack it.
     #[cfg(target_arch = "wasm32")]
     if let Some(simd) = pulp::wasm::Simd128::try_new() {
         return Simd::vectorize(simd, work);
@@ -49,13 +48,13 @@ fn baseline<W: WithSimd>(work: W) -> W::Output {
     Simd::vectorize(pulp::Scalar128b, work)
 }
 
-/// The values of a register, from `at` on.
+/// Loads a register of values, starting at `at`.
 #[inline(always)]
 pub(crate) fn load<S: Simd>(values: &[f32], at: usize) -> S::f32s {
     S::as_simd_f32s(&values[at..at + S::F32_LANES]).0[0]
 }
 
-/// Adds the products of a weight and some registers to sums, each rounded twice.
+/// Adds the products of a weight and some registers to sums. Each product and each sum is rounded.
 #[inline(always)]
 pub(crate) fn multiply_add<S: Simd, const REGISTERS: usize>(
     simd: S,

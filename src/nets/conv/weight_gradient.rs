@@ -1,7 +1,7 @@
-//! The gradient of the loss with respect to the weights of a layer, by the direct convolutions' view of the images.
+//! The gradient of the loss with respect to the weights of a layer, computed on the planes of the direct convolutions.
 //!
-//! For both layers it is the correlation of coarse images with fine ones: of the gradient of the output with the input
-//! of `conv_down`, and of the input with the gradient of the output of `conv_up`. Native only; used by `backward`.
+//! For both layers it is the correlation of coarse images with fine ones: for `conv_down`, of the output's gradient
+//! with the input; for `conv_up`, of the input with the output's gradient. Native only; used by `backward`.
 
 use pulp::{Simd, WithSimd};
 
@@ -9,11 +9,11 @@ use super::im2col::Geometry;
 use super::planes::Planes;
 use super::simd::{lanes_that_divide, vectorize};
 
-/// Coarse channels that are correlated with a pair of taps at once: eight sums.
+/// Coarse channels to correlate with a pair of taps at once: eight sums.
 const CHANNELS: usize = 4;
 
-/// The images of some samples, and where the gradient `[coarse_channels, fine_channels, 4, 4]` is written to. The layer
-/// is one that `DirectConv::fits`.
+/// The images of some samples, and the destination of the gradient `[coarse_channels, fine_channels, 4, 4]`. The layer
+/// must satisfy `DirectConv::fits`.
 pub(crate) struct WeightGradient<'a> {
     pub geometry: &'a Geometry,
     pub coarse: &'a [f32],
@@ -62,8 +62,8 @@ impl WithSimd for WeightGradient<'_> {
     }
 }
 
-/// Adds the products of coarse images, `[CHANNELS, side, side]`, with the cells that a pair of taps meets; those of one
-/// coarse row and the next are `stride` values apart.
+/// Adds the products of coarse images, `[CHANNELS, side, side]`, with the cells that a pair of taps meets. The cells of
+/// consecutive coarse rows are `stride` values apart.
 #[inline(always)]
 fn correlate<S: Simd>(
     simd: S,

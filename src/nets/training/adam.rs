@@ -1,7 +1,7 @@
 //! Adam (Kingma and Ba 2014) in one pass over the parameters.
 //!
-//! burn's own Adam is composed of a dozen tensor operations, each of which reads and writes every parameter. The
-//! state is burn's, and a test compares the steps of both.
+//! burn's own Adam consists of a dozen tensor operations, each of which reads and writes every parameter. The state is
+//! burn's, and a test compares the steps of both.
 
 use burn::optim::{AdamState, AdaptiveMomentumState, LearningRate, Optimizer};
 use burn::tensor::{Device, Tensor};
@@ -16,7 +16,7 @@ const BETA_2: f32 = 0.999;
 /// Added to the denominator, so that a step is finite where gradients vanish.
 const EPSILON: f32 = 1e-8;
 
-/// Parameters that one core takes at a time: 64 KiB.
+/// Parameters that one core processes at a time: 64 KiB.
 const CHUNK: usize = 1 << 14;
 
 /// Adam with the constants of the paper.

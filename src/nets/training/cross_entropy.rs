@@ -1,8 +1,8 @@
 //! The mean binary cross-entropy of logits, in one pass forward and none backward.
 //!
-//! burn's formula is a dozen tensor operations on one core, each of which reads and writes all values. Here a pass over
-//! chunks, on all cores, computes the loss and its gradient. The formula defines the result: it is the default body,
-//! which ndarray runs.
+//! burn's formula is a dozen tensor operations on one core, each of which reads and writes all values. Here, one pass
+//! over chunks, on all cores, computes the loss and its gradient. burn's formula defines the result: it is the default
+//! body, which ndarray runs.
 
 // burn has deprecated its ndarray backend; it is kept as the reference backend of the differential tests.
 #![allow(deprecated)]
@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use crate::nets::conv::simd::vectorize;
 use crate::nets::logistic::{CHUNK, ln_1p, logistic_and_exp};
 
-/// Sums beside each other, so that no addition waits for the one before.
+/// Number of parallel sums, so that no addition waits for the previous one.
 const LANES: usize = 16;
 
 /// Returns the mean binary cross-entropy, `[1]`, between the sigmoid of logits and targets in 0..=1 of the same shape.
@@ -33,7 +33,7 @@ pub(crate) fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>
 /// The loss on the tensors of a backend.
 #[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(feature = "training"))]
 pub(crate) trait CrossEntropy: Backend {
-    /// `[n]` and `[n]` in, `[1]` out. Targets get no gradient.
+    /// Returns the loss `[1]` of logits `[n]` and targets `[n]`. Targets get no gradient.
     fn binary_cross_entropy(logits: FloatTensor<Self>, targets: FloatTensor<Self>) -> FloatTensor<Self> {
         // softplus(x) = ln(1 + e^x), written so that no x overflows.
         let falling = Self::float_exp(Self::float_neg(Self::float_abs(logits.clone())));
@@ -79,7 +79,7 @@ impl Backward<Flex, 1> for MeanCrossEntropy {
     }
 }
 
-/// The loss, `[1]`, and its gradient with respect to the logits, `[n]`.
+/// Returns the loss, `[1]`, and its gradient with respect to the logits, `[n]`.
 fn loss_and_gradient(logits: FloatTensor<Flex>, targets: FloatTensor<Flex>) -> (FloatTensor<Flex>, FloatTensor<Flex>) {
     let [logits, targets] = [logits, targets].map(|tensor| tensor.to_contiguous());
     let [logits, targets]: [&[f32]; 2] = [&logits, &targets].map(|tensor| tensor.as_slice().expect("f32"));
@@ -98,7 +98,7 @@ fn loss_and_gradient(logits: FloatTensor<Flex>, targets: FloatTensor<Flex>) -> (
     (tensor(vec![loss as f32]), tensor(gradient))
 }
 
-/// Fills in the gradient of a chunk; returns the sum of its losses.
+/// Computes the gradient of a chunk and the sum of its losses.
 struct OfChunk<'a> {
     logits: &'a [f32],
     targets: &'a [f32],
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn the_loss_is_the_binary_cross_entropy_and_the_gradient_its_slope() {
         let device = crate::nets::flex().autodiff();
-        // More than a chunk, and not a whole number of lanes.
+        // More than one chunk, and not a whole number of lanes.
         let count = CHUNK + 1237;
         let repeat = |values: [f32; 8]| (0..count).map(|index| values[index % 8]).collect::<Vec<_>>();
         let tensor = |values: [f32; 8], device: &Device| {

@@ -9,20 +9,20 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::scene::SIZE;
 use crate::raster::{CHANNELS, Coverage, SIDE};
 
-/// Scenes, as many balls in each, and their labels.
+/// Scenes with the same number of balls each, and the balls' labels.
 #[derive(Default)]
 pub struct DqnBatch {
     scenes: Vec<f32>,
     count: usize,
-    /// x, y and r of the action of each ball.
+    /// x, y and r of each ball's action.
     actions: Vec<f32>,
     /// 1 for a ball that solves, 0 for one that does not.
     labels: Vec<f32>,
 }
 
 impl DqnBatch {
-    /// Adds a scene and labelled balls of it, as they are or mirrored left to right. Every scene of a batch has the
-    /// same number of balls.
+    /// Adds a scene with labelled balls, unchanged or mirrored left to right. Every scene of a batch has the same
+    /// number of balls.
     pub fn add(&mut self, scene: &[Coverage; CHANNELS], balls: impl Iterator<Item = (Ball, bool)>, mirrored: bool) {
         for channel in scene {
             let flipped = mirrored.then(|| channel.mirrored());
@@ -43,7 +43,7 @@ impl Trainer<Dqn> {
         Trainer::fresh(seed, Dqn::new)
     }
 
-    /// One optimiser step on a batch; returns the mean loss of a ball.
+    /// Takes one optimiser step on a batch; returns the mean loss per ball.
     pub fn step(&mut self, batch: DqnBatch, learning_rate: f64) -> f32 {
         let device = self.device.clone();
         let DqnBatch { scenes, count, actions, labels } = batch;
@@ -62,7 +62,7 @@ mod tests {
     use crate::puzzle::task::Task;
     use crate::raster::scene_coverage;
 
-    /// A scene with balls on its left that solve and balls on its right that do not; nobody simulates them.
+    /// A scene with solving balls on its left and other balls on its right; nothing is simulated.
     fn batch(mirrored: bool) -> DqnBatch {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
         let balls = (0..8).map(|index| {

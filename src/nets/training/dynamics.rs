@@ -1,8 +1,8 @@
 //! One optimiser step of the dynamics net.
 //!
-//! The loss is the sum of: the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from
-//! its paths alone), and the mean distances of the coordinates and of the expected errors, weighted. Without the last
-//! two, what the net calls paths is whatever helps the chances: an ablation.
+//! The loss is the sum of the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from
+//! its paths alone) and of the weighted mean distances of the coordinates and of the expected errors. Without these
+//! two, the net's paths are whatever helps the chances: an ablation.
 
 use burn::tensor::{Tensor, TensorData};
 
@@ -19,7 +19,7 @@ use crate::raster::{CHANNELS, Coverage};
 /// Weight of the mean distance between expected and actual errors, in `UNIT`.
 const ERROR_WEIGHT: f64 = 0.1;
 
-/// Scenes and balls with what they led to.
+/// Scenes and balls, with the balls' outcomes and paths.
 #[derive(Default)]
 pub struct DynamicsBatch {
     /// The scenes, and all balls in them.
@@ -36,11 +36,12 @@ pub struct DynamicsBatch {
 type LabelledBall<'a> = (Ball, bool, &'a [u8]);
 
 impl DynamicsBatch {
-    /// Adds a scene and labelled balls of it, as they are or mirrored left to right; the paths of the first `imagined`
+    /// Adds a scene with labelled balls, unchanged or mirrored left to right. The paths of the first `imagined` balls
     /// are learned too.
     ///
     /// # Errors
-    /// If a ball has no cell (`success_net::logit_index`); the batch is then of no use.
+    ///
+    /// If a ball has no cell (`success_net::logit_index`). The batch must then be discarded.
     pub fn add<'a>(
         &mut self,
         scene: &[Coverage; CHANNELS],
@@ -72,8 +73,8 @@ impl Trainer<DynamicsNet> {
         Trainer::fresh(seed, DynamicsNet::new)
     }
 
-    /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
-    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted.
+    /// Takes one optimiser step on a batch. Returns the losses: those of the logits of the cells, of the balls and of
+    /// the paths alone, and the weighted mean distances of a coordinate and of an expected error, both in `UNIT`.
     pub fn step(&mut self, mut batch: DynamicsBatch, paths: PathWeights, learning_rate: f64) -> Vec<f32> {
         let device = self.device.clone();
         let (logits, predictions) = self.nets.forward(batch.cells.scenes(&device), batch.balls.tensors(&device));

@@ -1,5 +1,5 @@
-//! Muon (Jordan et al. 2024) for the weights of linear layers and convolutions: burn's takes matrices alone, so the
-//! weights of a convolution are reshaped, one row for each index of their first dimension.
+//! Muon (Jordan et al. 2024) for the weights of linear layers and convolutions. burn's Muon accepts only matrices, so
+//! the weights of a convolution are reshaped, one row for each index of their first dimension.
 //!
 //! Muon replaces the momentum of a matrix by an orthogonal matrix close to it, so that all directions learn equally
 //! fast. Biases, and the last layers of the chances, which have a single output, keep Adam.
@@ -10,15 +10,15 @@ use burn::tensor::{Device, Tensor};
 
 use super::adam::FusedAdam;
 
-/// Returns Muon for the weights of layers, and Adam for the others. Their steps are of like size at one learning rate
-/// (Liu et al. 2025, "Muon is Scalable for LLM Training").
+/// Returns Muon for the weights of layers, and Adam for all other parameters. Their steps have a similar size at the
+/// same learning rate (Liu et al. 2025, "Muon is Scalable for LLM Training").
 pub(super) fn muon_and_adam() -> ModuleOptimizer {
     let weights = ParamGroup::from_predicate("weight").exclude(ParamGroup::from_predicate("logit"));
     let muon = MuonConfig::new().with_adjust_lr_fn(AdjustLrFn::MatchRmsAdamW).build();
     ModuleOptimizer::from(FusedAdam).with_group(weights, MuonOfMatrices(muon), None)
 }
 
-/// burn's Muon takes matrices alone.
+/// Applies burn's Muon, which accepts only matrices.
 #[derive(Clone)]
 struct MuonOfMatrices(Muon);
 
@@ -54,7 +54,8 @@ mod tests {
     use crate::nets::{SuccessNet, seeded};
     use crate::raster::{CHANNELS, SIDE};
 
-    /// Of a matrix with orthonormal rows all singular values are 1: those of a step come near, whatever the gradient's.
+    /// The singular values of a matrix with orthonormal rows are all 1. Those of a step come close, whatever the
+    /// gradient's.
     #[test]
     fn a_step_of_a_convolution_is_a_nearly_orthogonal_matrix() {
         let device = seeded(0);

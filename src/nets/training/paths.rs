@@ -8,7 +8,7 @@ use super::trainer::Trainer;
 use crate::nets::PathNet;
 use crate::raster::{Bitmap, CHANNELS, SIDE};
 
-/// The images of a scene and a ball that solves it: 9 of 512 bytes.
+/// The images of a scene and a ball that solves it: nine images of 512 bytes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// Input of the nets: green object, blue goal, purple goal, gray, black.
@@ -25,7 +25,7 @@ pub struct PathsBatch {
 }
 
 impl PathsBatch {
-    /// Collects the samples, each as it is or mirrored left to right.
+    /// Collects the samples, each unchanged or mirrored left to right.
     pub fn new<'a>(samples: impl Iterator<Item = (&'a Sample, bool)>) -> PathsBatch {
         let mut batch = PathsBatch { samples: 0, scenes: Vec::new(), targets: Vec::new() };
         for (sample, mirrored) in samples {
@@ -53,7 +53,7 @@ impl Trainer<PathNet> {
         Trainer::fresh(seed, PathNet::new)
     }
 
-    /// One optimiser step on a batch; returns the losses of the four maps.
+    /// Takes one optimiser step on a batch; returns the losses of the four maps.
     pub fn step(&mut self, batch: PathsBatch, learning_rate: f64) -> [f32; 4] {
         let tensor = |values: Vec<f32>, channels: usize| {
             Tensor::<4>::from_data(TensorData::new(values, [batch.samples, channels, SIDE, SIDE]), &self.device)
@@ -75,7 +75,7 @@ mod tests {
     use crate::puzzle::action::Ball;
     use crate::raster::ball_image;
 
-    /// A scene that is not its own mirror image, in all channels alike.
+    /// A scene that is not its own mirror image, with the same image in all channels.
     fn scene() -> [Bitmap; CHANNELS] {
         [ball_image(Ball { x: 60.0, y: 100.0, r: 20.0 }); CHANNELS]
     }

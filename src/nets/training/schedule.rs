@@ -1,13 +1,13 @@
-//! Learning-rate schedules: the learning rate as a function of the step alone, so that a run can be continued at any
-//! checkpoint without a state of its own.
+//! Learning-rate schedules. The learning rate is a function of the step alone, so a run can be continued from any
+//! checkpoint without extra state.
 
-/// Steps over which the learning rate of the success net, the dynamics net and DQN rises from zero.
+/// Warm-up steps of the success net, the dynamics net and DQN, over which the learning rate rises from zero.
 pub const WARMUP_STEPS: usize = 200;
 
 /// How the learning rate changes over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Schedule {
-    /// Constant, then linearly to zero over the last steps of the run.
+    /// Constant, then falling linearly to zero over the last steps of the run.
     LinearDecay {
         /// Learning rate before the decay.
         peak: f64,
@@ -28,7 +28,7 @@ impl Schedule {
     pub fn learning_rate(&self, step: usize, total: usize) -> f64 {
         match *self {
             Schedule::LinearDecay { peak, decay_steps } => {
-                // Without decay the quotient is infinite, and its minimum with 1 is 1.
+                // Without decay, the quotient is infinite and is clamped to 1.
                 let left = (total - step) as f64 / decay_steps as f64;
                 peak * left.min(1.0)
             }

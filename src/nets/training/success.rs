@@ -12,7 +12,7 @@ use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{CELLS, CHANNELS, Coverage, SIDE};
 
-/// Scenes with labelled balls as tensor data: scenes `[scenes, 5, 64, 64]`; for each ball the index of its logit among
+/// Scenes with labelled balls as tensor data: scenes `[scenes, 5, 64, 64]`; for each ball, the index of its logit among
 /// the logits `[scenes, RADII, 64, 64]`, and its label, 1 if it solved and 0 if not.
 #[derive(Default)]
 pub struct SuccessBatch {
@@ -23,10 +23,11 @@ pub struct SuccessBatch {
 }
 
 impl SuccessBatch {
-    /// Adds a scene and labelled balls of it, as they are or mirrored left to right.
+    /// Adds a scene with labelled balls, unchanged or mirrored left to right.
     ///
     /// # Errors
-    /// If the success net does not score a ball (`success_net::logit_index`); the batch is then of no use.
+    ///
+    /// If the success net does not score a ball (`success_net::logit_index`). The batch must then be discarded.
     pub fn add(
         &mut self,
         scene: &[Coverage; CHANNELS],
@@ -53,7 +54,7 @@ impl SuccessBatch {
         Tensor::from_data(TensorData::new(take(&mut self.scenes), shape), device)
     }
 
-    /// The loss of the balls' logits, among the logits `[scenes, RADII, 64, 64]`.
+    /// Returns the loss of the balls' logits, among the logits `[scenes, RADII, 64, 64]`.
     pub(super) fn loss(self, logits: Tensor<4>, device: &Device) -> Tensor<1> {
         let balls = self.logit_indices.len();
         let indices = Tensor::<1, Int>::from_data(TensorData::new(self.logit_indices, [balls]), device);
@@ -68,7 +69,7 @@ impl Trainer<SuccessNet> {
         Trainer::fresh(seed, SuccessNet::new)
     }
 
-    /// One optimiser step on a batch; returns the mean loss of a ball.
+    /// Takes one optimiser step on a batch; returns the mean loss per ball.
     pub fn step(&mut self, mut batch: SuccessBatch, learning_rate: f64) -> f32 {
         let logits = self.nets.forward(batch.scenes(&self.device));
         self.backward_step(batch.loss(logits, &self.device), learning_rate)[0]
@@ -105,7 +106,7 @@ mod tests {
         assert_ne!(flipped, plain);
     }
 
-    /// Its logit would be one of the next scene, or beyond the logits.
+    /// Its logit would belong to the next scene, or lie beyond the logits.
     #[test]
     fn a_ball_that_the_success_net_does_not_score_is_refused() {
         let ball = Ball { x: 100.0, y: 100.0, r: 64.0 };

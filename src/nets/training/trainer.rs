@@ -1,6 +1,6 @@
-//! What all trainings have in common: nets, their optimiser, and a step on losses. A trainer can be saved between two
-//! batches and resumed with the same result. The learning rate of each step is the caller's. The batches and losses of
-//! the nets are in `paths`, `success`, `dynamics` and `dqn`.
+//! The common part of all training: nets, their optimiser, and a step on losses. A trainer can be saved between two
+//! batches and resumed with the same result. The caller chooses the learning rate of each step. The batches and losses
+//! of the nets are in `paths`, `success`, `dynamics` and `dqn`.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use super::adam::FusedAdam;
 use super::muon::muon_and_adam;
 use crate::nets::{Optimiser, flex};
 
-/// What a trainer trains: `PathNet`, `SuccessNet`, `DynamicsNet`, `Dqn`.
+/// A module that can be trained: `PathNet`, `SuccessNet`, `DynamicsNet` or `Dqn`.
 pub trait Trainable: Module {}
 
 impl<M: Module> Trainable for M {}
@@ -23,7 +23,7 @@ impl<M: Module> Trainable for M {}
 #[error(transparent)]
 pub struct CheckpointError(#[from] RecordError);
 
-/// What is trained, and its optimiser.
+/// Nets in training, and their optimiser.
 pub struct Trainer<M> {
     pub(super) nets: M,
     optimiser: ModuleOptimizer,
@@ -31,7 +31,7 @@ pub struct Trainer<M> {
 }
 
 impl<M: Trainable> Trainer<M> {
-    /// Returns the same trainer with another optimiser, for one that has made no step yet.
+    /// Returns the same trainer with another optimiser. It must not have taken a step yet.
     pub fn with_optimiser(self, optimiser: Optimiser) -> Trainer<M> {
         let optimiser = match optimiser {
             Optimiser::Adam => FusedAdam.into(),
@@ -51,30 +51,32 @@ impl<M: Trainable> Trainer<M> {
         Trainer { nets: new(&device), optimiser: FusedAdam.into(), device }
     }
 
-    /// One optimiser step on the sum of the losses; returns the separate losses.
+    /// Takes one optimiser step on the sum of the losses; returns the separate losses.
     pub(super) fn backward_step(&mut self, losses: Tensor<1>, learning_rate: f64) -> Vec<f32> {
         let gradients = GradientsParams::from_grads(losses.clone().sum().backward(), &self.nets);
         self.nets = self.optimiser.step(learning_rate, self.nets.clone(), gradients);
         losses.into_data().iter::<f32>().collect()
     }
 
-    /// Returns the nets as they are now, without autodiff.
+    /// Returns the current nets, without autodiff.
     pub fn nets(&self) -> M {
         self.nets.valid()
     }
 
-    /// Writes nets and optimiser to two files.
+    /// Writes the nets and the optimiser to two files.
     ///
     /// # Errors
+    ///
     /// If a file cannot be written.
     pub fn save(&self, nets: &Path, optimiser: &Path) -> Result<(), CheckpointError> {
         self.nets.clone().save_file(nets)?;
         Ok(self.optimiser.save(optimiser)?)
     }
 
-    /// Replaces nets and optimiser by those that `save` wrote.
+    /// Replaces the nets and the optimiser by those that `save` wrote.
     ///
     /// # Errors
+    ///
     /// If a file cannot be read or does not fit.
     pub fn restore(self, nets: &Path, optimiser: &Path) -> Result<Trainer<M>, CheckpointError> {
         let Trainer { nets: fresh, optimiser: idle, device } = self;

@@ -1,8 +1,9 @@
-//! Custom scenes: the scenes that people make, as they are edited, shared and stored. Versioned JSON, of which
-//! `assets/scene.schema.json` is the schema (`pathlight tasks --schema`).
-//! A body is a shape with its lengths, a place, and whether it moves; colours follow from the goal. `read` takes JSON
-//! from anywhere and `limit_problems` names what the limits refuse; `session::scene_check` adds what only the simulator
-//! knows, and is the way to a scene that may be played.
+//! Custom scenes: scenes that people make, in the form in which they are edited, shared and stored. Versioned JSON,
+//! whose schema is `assets/scene.schema.json` (`pathlight tasks --schema`).
+//!
+//! A body is a shape with its lengths, a position, and whether it moves. Its colour follows from the goal. `read`
+//! accepts untrusted JSON, and `limit_problems` reports violated limits. `session::scene_check` adds the checks that
+//! need the simulator; only it yields a scene to play.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use std::ops::RangeInclusive;
@@ -20,40 +21,40 @@ pub use problem::{Fault, Problem, sentences};
 /// The version of the format.
 pub const VERSION: u32 = 1;
 
-/// How many bodies a scene may have; the benchmark's have up to 61.
+/// Allowed numbers of bodies in a scene; the benchmark's scenes have up to 61.
 pub const BODIES: RangeInclusive<usize> = 2..=64;
 
 /// Maximum number of characters in a name.
 pub const NAME_LENGTH: usize = 60;
 
-/// How deep a dynamic body may overlap another body or a wall at the start, px. The position solver separates them
-/// without giving them speed. The deepest overlap of two bodies in the benchmark is 2.73 px (00006:164).
+/// Maximum depth by which a dynamic body may overlap another body or a wall at the start, px. The position solver
+/// separates them without giving them speed. The deepest overlap of two bodies in the benchmark is 2.73 px (00006:164).
 pub const MAX_OVERLAP: f64 = 3.0;
 
-/// How far a dynamic body may reach over a corner of the scene, along the diagonal, px. The walls only meet there: of
-/// bodies that reached over by 1.6 px or more, some slipped out between them.
+/// Maximum distance by which a dynamic body may reach over a corner of the scene, along the diagonal, px. The walls
+/// only meet at the corners: of bodies that reached over by 1.6 px or more, some slipped out between the walls.
 const OVER_CORNER: f64 = 1.0;
 
-/// How far outside of the scene a static body may be, px. Some of the benchmark's are up to 90 px away and never
+/// Maximum distance of a static body from the scene, px. Some of the benchmark's are up to 90 px away and never
 /// touched.
 const OUTSIDE: f64 = 128.0;
 
-/// A scene that somebody has made.
+/// A scene made by a person.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct CustomScene {
     /// The version of the format: 1.
     #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = VERSION, max = VERSION)))]
     pub version: u32,
-    /// What its maker calls it. It changes nothing in what is played.
+    /// A name for people. It does not affect the puzzle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(not(target_arch = "wasm32"), schemars(length(max = NAME_LENGTH)))]
     pub name: Option<String>,
-    /// The green object, which has to touch `body2` for three seconds: an index into `bodies`, from 0. It is dynamic.
+    /// The green object, which must touch `body2` for three seconds: an index into `bodies`, from 0. It is dynamic.
     pub body1: usize,
     /// The goal: another index into `bodies`.
     pub body2: usize,
-    /// Without the walls around the scene.
+    /// The bodies, without the walls around the scene.
     #[cfg_attr(not(target_arch = "wasm32"), schemars(length(min = *BODIES.start(), max = *BODIES.end())))]
     pub bodies: Vec<CustomBody>,
 }
@@ -62,7 +63,7 @@ pub struct CustomScene {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct CustomBody {
-    /// Shape and lengths.
+    /// The shape and its lengths.
     #[serde(flatten)]
     pub dimensions: Dimensions,
     /// Position of the origin, px.
@@ -72,13 +73,13 @@ pub struct CustomBody {
     /// Radians, counter-clockwise.
     #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = -TAU, max = TAU)))]
     pub angle: f64,
-    /// Whether it moves. A dynamic body lies inside the scene but for 3 px, and at a corner for 1 px; a static one is
-    /// no farther outside of it than 128 px.
+    /// Whether the body moves. A dynamic body lies inside the scene with a tolerance of 3 px, or 1 px at a corner; a
+    /// static body is at most 128 px outside.
     pub dynamic: bool,
 }
 
 impl CustomScene {
-    /// Returns a scene in this form; `None` if it has a body that is none of the four shapes.
+    /// Returns a scene in this form; `None` if a body has none of the four shapes.
     ///
     /// ```
     /// use pathlight::puzzle::{custom_scene::CustomScene, task::Task};
@@ -95,7 +96,7 @@ impl CustomScene {
         Some(CustomScene { version: VERSION, name: None, body1: scene.body1, body2: scene.body2, bodies })
     }
 
-    /// Returns all problems that the limits find; none if they allow the scene.
+    /// Returns all violations of the limits; none if the scene is allowed.
     pub fn limit_problems(&self) -> Vec<Problem> {
         let mut problems = Vec::new();
         let count = self.bodies.len();
@@ -139,7 +140,7 @@ impl CustomScene {
         Scene { body1: self.body1, body2: self.body2, bodies }
     }
 
-    /// Returns a body in words, with its index: "green ball (body 0)".
+    /// Returns a description of a body with its index: "green ball (body 0)".
     pub fn body_name(&self, index: usize) -> String {
         format!("{} (body {index})", self.body(index).name())
     }
@@ -156,7 +157,7 @@ impl CustomScene {
         Body { x, y, angle, dynamic, shape_type: dimensions.shape_type(), role, shapes: dimensions.shapes() }
     }
 
-    /// Returns the first problem of a body by itself.
+    /// Returns the first problem of a body on its own.
     fn body_problem(&self, index: usize) -> Option<Problem> {
         let CustomBody { dimensions, x, y, angle, dynamic } = self.bodies[index];
         let name = self.body_name(index);
@@ -221,7 +222,7 @@ fn over_a_corner(body: &Body) -> f64 {
     over.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Returns a length for a sentence; one that is far too large as a power of ten.
+/// Formats a length for a sentence; one that is far too large as a power of ten.
 fn px(length: f64) -> String {
     if length.abs() < 1e5 { format!("{length:.1}") } else { format!("{length:.0e}") }
 }
@@ -241,7 +242,7 @@ mod tests {
         ]})
     }
 
-    /// The first problem of this scene with one value replaced.
+    /// Returns the first problem of this scene with one value replaced.
     pub(super) fn problem(pointer: &str, value: Value) -> Problem {
         let mut scene = scene();
         *scene.pointer_mut(pointer).expect("a value of the scene") = value;
@@ -249,7 +250,7 @@ mod tests {
         problems.into_iter().next().unwrap_or_else(|| panic!("{pointer} is not refused"))
     }
 
-    /// Tasks in which balls are so deep in a wall that they may not be made.
+    /// Tasks in which balls overlap a wall too deeply for a custom scene.
     const IN_A_WALL: [&str; 3] = ["00019:598", "00019:606", "00019:726"];
 
     #[test]

@@ -1,22 +1,22 @@
-//! Problems of custom scenes, in words and for programs that have words of their own.
+//! Problems of custom scenes, as sentences and as data for programs with their own wording.
 
 use serde::Serialize;
 
-/// Why a custom scene may not be played.
+/// A reason why a custom scene cannot be played.
 #[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
 #[error("{sentence}")]
 pub struct Problem {
-    /// The body that has it, as an index into `bodies`; none if it is the scene's.
+    /// The affected body, as an index into `bodies`; `None` if the problem concerns the whole scene.
     pub body: Option<usize>,
-    /// The second body, if it is between two.
+    /// The second body, if the problem concerns two.
     pub other: Option<usize>,
     /// What is wrong.
     pub fault: Fault,
-    /// What is wrong and what helps.
+    /// The problem and its remedy in words.
     pub sentence: String,
 }
 
-/// What is wrong with a custom scene; lengths in px.
+/// The kind of problem with a custom scene; lengths in px.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the values are named as in the sentences")]
@@ -33,7 +33,7 @@ pub enum Fault {
     StaticObject,
     /// A length of a body is too small or too large; `key` is that of the schema.
     Length { key: &'static str, length: f64, least: f64, most: f64 },
-    /// Position or angle of a body are no usable numbers.
+    /// The position or angle of a body is not a usable number.
     Place,
     /// A dynamic body sticks out of the scene.
     SticksOut { by: f64 },
@@ -62,7 +62,7 @@ impl Problem {
     }
 }
 
-/// Returns the sentences of problems as one text.
+/// Joins the sentences of problems into one text.
 pub fn sentences(problems: &[Problem]) -> String {
     problems.iter().map(|problem| problem.sentence.as_str()).collect::<Vec<_>>().join(" ")
 }

@@ -1,14 +1,15 @@
-//! Reading custom scenes from JSON that may come from anywhere: each body that cannot be read is named.
+//! Reads custom scenes from untrusted JSON. The problems name each body that cannot be read.
 
 use serde_json::{Map, Value};
 
 use super::{CustomBody, CustomScene, Fault, Problem, VERSION};
 
 impl CustomScene {
-    /// Reads a scene from JSON. Keys that it does not know are ignored.
+    /// Reads a scene from JSON. Unknown keys are ignored.
     ///
     /// # Errors
-    /// All values that do not have the form of the schema; limits are not looked at.
+    ///
+    /// All values that do not have the form of the schema. Limits are not checked.
     pub fn read(value: Value) -> Result<CustomScene, Vec<Problem>> {
         let Value::Object(mut keys) = value else {
             return Err(vec![Problem::unreadable(
@@ -86,19 +87,19 @@ fn unreadable_body(index: usize, why: &str) -> Problem {
     Problem::of_body(index, Fault::Unreadable, sentence)
 }
 
-/// Finds a key of a body that needs a number and has none; serde's error would not name it.
+/// Returns a key of a body that should be a number and is not; serde's error would not name it.
 fn no_number(body: &Value) -> Option<(&'static str, &Value)> {
     let numbers = ["x", "y", "angle", "radius", "length", "thickness", "height"];
     let mut found = numbers.into_iter().filter_map(|key| Some((key, body.get(key)?)));
     found.find(|(_, value)| !value.is_number())
 }
 
-/// Returns a body with 0 for each -0, which JavaScript writes as 0: its digest and its poses stay the same.
+/// Returns a body with every -0 replaced by 0, as JavaScript writes it; its digest and its poses stay the same.
 fn without_negative_zero(body: CustomBody) -> CustomBody {
     CustomBody { x: body.x + 0.0, y: body.y + 0.0, angle: body.angle + 0.0, ..body }
 }
 
-/// Returns a number without a fraction, also one that JavaScript has written.
+/// Returns a whole number, including one that JavaScript wrote with a fraction of zero.
 fn whole_number(value: &Value) -> Option<usize> {
     let number =
         value.as_f64().filter(|number| number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(number))?;

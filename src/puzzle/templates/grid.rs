@@ -1,11 +1,11 @@
 //! The parameter grid of a template: the values of each parameter, and one combination of them.
 //!
-//! Used by the template scripts. A task id depends on every bit of these values: some rules of the scripts compare
-//! them for equality.
+//! Used by the template scripts. A task id depends on every bit of these values, because some rules of the scripts
+//! compare them for equality.
 
 use serde_json::{Map, Value};
 
-/// The values that a parameter takes.
+/// The values of a parameter.
 pub enum Grid {
     /// `Lin(a, b, n)`: n values from a to b, evenly spaced.
     Lin(f64, f64, usize),
@@ -13,11 +13,11 @@ pub enum Grid {
     Mul(f64, i32, i32),
     /// `Ints(i, j)`: i..=j.
     Ints(i32, i32),
-    /// These numbers.
+    /// The given numbers.
     List(&'static [f64]),
     /// True, then false.
     Flag,
-    /// These words.
+    /// The given words.
     Words(&'static [&'static str]),
 }
 
@@ -33,7 +33,7 @@ impl Grid {
         }
     }
 
-    /// Returns one of the values, counted from 0.
+    /// Returns the value at an index, from 0.
     pub(super) fn value(&self, index: usize) -> Value {
         match *self {
             Grid::Lin(a, b, n) => evenly(a, b, n, index).into(),
@@ -46,7 +46,7 @@ impl Grid {
     }
 }
 
-/// Returns value `index` of `n` evenly spaced ones from a to b (NumPy's `linspace`); the last is exactly b.
+/// Returns value `index` of `n` evenly spaced values from a to b (NumPy's `linspace`); the last is exactly b.
 pub fn evenly(a: f64, b: f64, n: usize, index: usize) -> f64 {
     match (n, index) {
         (1, _) => a,
@@ -59,7 +59,8 @@ pub fn evenly(a: f64, b: f64, n: usize, index: usize) -> f64 {
 pub struct Params(Map<String, Value>);
 
 impl Params {
-    /// Decodes the number of a combination: its digits are the indices into the grid, the last parameter the lowest.
+    /// Decodes the number of a combination. Its digits are the indices into the grid; the last parameter is the lowest
+    /// digit.
     pub(super) fn of(grid: &[(&str, Grid)], mut combination: usize) -> Params {
         let mut params = Map::new();
         for (name, values) in grid.iter().rev() {
@@ -69,7 +70,8 @@ impl Params {
         Params(params)
     }
 
-    /// Returns a number (integers too). Panics if the template has no such number: its script is wrong.
+    /// Returns a number, which may be an integer. Panics if the template has no number of this name, which means that
+    /// its script is wrong.
     pub fn num(&self, name: &str) -> f64 {
         self.0.get(name).and_then(Value::as_f64).unwrap_or_else(|| panic!("no number named {name}"))
     }
@@ -90,7 +92,7 @@ impl Params {
         self.0.get(name).and_then(Value::as_str).unwrap_or_else(|| panic!("no word named {name}"))
     }
 
-    /// Returns name and value of each parameter as JSON.
+    /// Returns the name and value of each parameter as JSON.
     pub fn into_json(self) -> Map<String, Value> {
         self.0
     }

@@ -1,9 +1,9 @@
 //! The 25 ball templates of PHYRE v0.2.2: each a story, a grid of parameters, and a short script.
 //!
-//! A task number is the position of a combination of parameters among the valid ones, in the order of PHYRE's
-//! `stable_shuffle` of all combinations. The benchmark keeps 100 of a template's tasks. A template lists their numbers
-//! and their combinations, so that a task is laid out at once; the test below derives the combinations again. `task` is
-//! the entry point for the other modules.
+//! PHYRE's `stable_shuffle` orders all combinations of parameters, and a task number is the position of a combination
+//! among the valid ones. The benchmark keeps 100 of a template's tasks. A template lists their numbers and their
+//! combinations, so that a task can be laid out directly; the test below derives the combinations independently. Other
+//! modules use `task` as the entry point.
 
 use crate::puzzle::scene::Scene;
 use grid::Grid::{self, Flag, Ints, Lin, List, Mul, Words};
@@ -67,13 +67,13 @@ pub static TEMPLATES: [&Template; 25] = [
     &t24_hole_and_plug::TEMPLATE,
 ];
 
-/// One template: the tasks that differ only in their parameters.
+/// One template: tasks that differ only in their parameters.
 pub struct Template {
     /// 0..=24; `00000`..`00024` when written.
     pub number: usize,
-    /// Our own short name.
+    /// This project's short name for it.
     pub name: &'static str,
-    /// What happens and what the goal is, in one sentence.
+    /// The situation and the goal in one sentence.
     pub story: &'static str,
     /// Name and values of each parameter, sorted by name; the last varies fastest.
     pub grid: &'static [(&'static str, Grid)],
@@ -81,26 +81,28 @@ pub struct Template {
     pub script: fn(&Params) -> Option<Scene>,
     /// The numbers of the benchmark's 100 tasks, ascending.
     pub task_numbers: [u16; TASKS],
-    /// The combination of each of these tasks: its digits are the indices into the grid, the last parameter the lowest.
+    /// The combination of each of these tasks. Its digits are the indices into the grid; the last parameter is the
+    /// lowest digit.
     pub combinations: [u16; TASKS],
 }
 
-/// Tasks of the benchmark in each template.
+/// Number of the benchmark's tasks per template.
 pub const TASKS: usize = 100;
 
-/// Leaves the combination out if the rule holds; a script says `skip(rule)?`.
+/// Skips the combination if the rule holds; scripts call `skip(rule)?`.
 fn skip(rule: bool) -> Option<()> {
     (!rule).then_some(())
 }
 
 impl Template {
-    /// Returns parameters and scene of one of the benchmark's tasks, by its number; `None` if it is not among them.
+    /// Returns the parameters and scene of one of the benchmark's tasks, by its number; `None` if the number is not
+    /// among them.
     pub fn task(&self, number: u16) -> Option<(Params, Scene)> {
         let index = self.task_numbers.binary_search(&number).ok()?;
         self.lay_out(self.combinations[index].into())
     }
 
-    /// The number of combinations of its parameters, with those that a rule skips.
+    /// Returns the number of combinations of the parameters, including those that a rule skips.
     pub fn combinations(&self) -> u32 {
         self.grid.iter().map(|(_, values)| values.len() as u32).product()
     }
@@ -146,7 +148,7 @@ mod tests {
         }
     }
 
-    /// Of each template: combinations, how many are valid, and the combination that is task 000; in PHYRE.
+    /// For each template in PHYRE: combinations, valid combinations, and the combination of task 000.
     const FIGURES: [(usize, usize, usize); 25] = [
         (16245, 4690, 1970),
         (2560, 1848, 363),

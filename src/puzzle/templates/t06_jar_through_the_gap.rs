@@ -26,7 +26,7 @@ pub(crate) static TEMPLATE: Template = Template {
 };
 
 fn script(p: &Params) -> Option<Scene> {
-    // Rotated about the middle of its base after it was aligned: it extends downwards from there.
+    // Rotated about the middle of its base after alignment, so it extends downwards from there.
     let jar = dynamic_body(Jar(0.15)).at_cx(SIZE / 2.0).at_top(SIZE * 0.95).rotated(180.0);
     let (hole_left, hole_right) = (p.num("hole_left"), p.num("hole_left") + 0.2);
     let height = SIZE * p.num("bar_height");

@@ -37,7 +37,7 @@ fn script(p: &Params) -> Option<Scene> {
     let step = |i: usize| {
         let i = i as f64;
         let top = 0.8 * SIZE - i / 5.0 * p.num("y_span") * SIZE;
-        // Tilted after it was placed, about its middle.
+        // Rotated about its middle after placement.
         static_body(Bar(0.7 / 5.0)).at_top(top).at_left(i / 5.0 * SIZE).rotated(-5.0)
     };
     let jar = static_body(Jar(p.num("jar_scale"))).at_bottom(0.0);

@@ -37,7 +37,7 @@ fn script(p: &Params) -> Option<Scene> {
     skip(x + width > 1.0)?;
     let ledge = static_body(Bar(width)).at_left(SIZE * x).at_bottom(SIZE * p.num("platform_y"));
     let pole = dynamic_body(Bar(p.num("bar_scale"))).rotated(90.0).at_bottom(ledge.top());
-    // The outer end is the one with more room beside it.
+    // The outer end is the one with more space next to it.
     let pole =
         if ledge.left() > SIZE - ledge.right() { pole.at_left(ledge.left()) } else { pole.at_right(ledge.right()) };
     let floor = static_body(Bar(1.0)).at_bottom(0.0).at_left(0.0);

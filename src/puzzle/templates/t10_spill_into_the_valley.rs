@@ -36,7 +36,7 @@ fn script(p: &Params) -> Option<Scene> {
     let tilt = right_angle - p.num("bar_angle");
     let right = static_body(Bar(1.0)).rotated(right_angle).at_left(SIZE * p.num("center_point")).at_bottom(-2.0);
     let left = static_body(Bar(1.0)).rotated(tilt).at_right(right.left()).at_bottom(-2.0);
-    // A valley that ends short of a wall moves over to it.
+    // A valley that ends short of a wall is moved to it.
     let shift = if right.right() < SIZE {
         SIZE - right.right()
     } else if left.left() > 0.0 {

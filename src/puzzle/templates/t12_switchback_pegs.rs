@@ -53,7 +53,7 @@ fn row(random: &mut RandomState, y: f64, mirrored: bool) -> Vec<[f64; 2]> {
     points
 }
 
-/// Returns a peg at each point that is in the scene; points are fractions of it.
+/// Returns a peg at each point inside the scene. Points are fractions of the scene.
 pub(crate) fn pegs(points: Vec<[f64; 2]>, scale: f64) -> impl Iterator<Item = BodyBuilder> {
     let inside = points.into_iter().filter(|point| point.iter().all(|at| (0.0..=1.0).contains(at)));
     inside.map(move |[x, y]| static_body(Ball(scale)).at(SIZE * x, SIZE * y))

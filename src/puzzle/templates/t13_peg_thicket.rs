@@ -38,8 +38,8 @@ fn script(p: &Params) -> Option<Scene> {
     Some(scene([ball.object()].into_iter().chain(pegs(chains, 0.05)).chain([floor.goal()])))
 }
 
-/// Returns a spiral random walk below `top` that sometimes branches from one of its own points, which is then listed
-/// twice. It ends when enough points are in the scene. Points are fractions of the scene.
+/// Returns a spiral random walk below `top`. It sometimes branches from one of its own points, which is then listed
+/// twice. It ends when enough points are inside the scene. Points are fractions of the scene.
 fn chain(random: &mut RandomState, start: [f64; 2], top: f64) -> Vec<[f64; 2]> {
     let (mut angle, mut angle_step) = heading(random);
     let required = random.randint(15, 30);

@@ -52,7 +52,7 @@ fn script(p: &Params) -> Option<Scene> {
     let (lid, upper_lid) = (parallel(6.0 * radius), parallel(10.0 * radius));
     let mast = static_body(Bar(0.1)).rotated(90.0).at_left(slabs[4].left()).at_bottom(slabs[4].top());
     let baffle = static_body(Bar(0.5)).rotated(-30.0).at_left(kicker.right()).at_top(lid.bottom() + 0.1 * SIZE);
-    // How high the ramp is at x.
+    // The height of the ramp at x.
     let slope = libm::tan(radians(angle));
     let ramp_at = |x: f64| ramp.bottom() + (ramp.right() - x) * slope;
     let x = (0.05 * SIZE).max(ramp.left() + 0.01 * SIZE) + p.num("buffer") * SIZE;

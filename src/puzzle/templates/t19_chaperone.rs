@@ -43,7 +43,7 @@ fn script(p: &Params) -> Option<Scene> {
     let rim = || static_body(Bar(0.02)).rotated(90.0).at_bottom(pad.top());
     let left_rim = || rim().at_right(pad.left());
     let right_rim = || rim().at_left(pad.right());
-    // One of the two is listed twice.
+    // One of the two rims is listed twice.
     let twice = if pad.left() < ball.left() { left_rim() } else { right_rim() };
     let rims = [left_rim(), right_rim(), twice];
     Some(scene([ball.object(), lower, floor, pad.goal()].into_iter().chain(rims)))

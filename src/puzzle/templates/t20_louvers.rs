@@ -42,7 +42,7 @@ fn script(p: &Params) -> Option<Scene> {
     let upper_wall = static_body(Bar(1.0 - hole_top)).rotated(90.0).at_left(wall_x).at_top(SIZE);
     let lower_wall =
         static_body(Bar(hole_top - ball.width() / SIZE * 2.0)).rotated(90.0).at_left(wall_x).at_bottom(0.0);
-    // PHYRE tests hole_top < 0.7. At `bar_y` 4 the two are equal and rounding could decide, so the number is compared.
+    // PHYRE tests hole_top < 0.7. At `bar_y` 4 the two are equal and rounding could decide, so `bar_y` is compared.
     let other_y = if below <= 3 { 0.9 } else { 0.3 };
     let other = dynamic_body(Ball(0.1)).at_left(wall_x + 8.0).at_bottom(SIZE * other_y);
     let floor = static_body(Bar(1.0)).at_left(wall_x + 4.0).at_bottom(0.0);

@@ -1,11 +1,11 @@
-//! The numbers of the tasks that the benchmark keeps of a template.
+//! The numbers of a template's tasks in the benchmark.
 //!
-//! PHYRE chose them by measuring which tasks can be solved, so they cannot be derived from the layout: each template
-//! lists them as runs like "0-11 13 15-17". Parsed at compile time; a wrong list does not compile.
+//! PHYRE chose them by measuring which tasks can be solved, so they cannot be derived from the layout. Each template
+//! lists them as runs like "0-11 13 15-17". The lists are parsed at compile time; a wrong list does not compile.
 
 use super::TASKS;
 
-/// Returns the numbers of the runs. There must be `TASKS` of them, ascending.
+/// Returns the numbers in the runs. There must be `TASKS` of them, ascending.
 pub(crate) const fn task_numbers(runs: &str) -> [u16; TASKS] {
     let text = runs.as_bytes();
     let mut numbers = [0; TASKS];
@@ -29,7 +29,7 @@ pub(crate) const fn task_numbers(runs: &str) -> [u16; TASKS] {
     numbers
 }
 
-/// Returns the number that starts here, and where it ends.
+/// Returns the number that starts here, and the position of its end.
 const fn number(text: &[u8], mut at: usize) -> (u16, usize) {
     let start = at;
     let mut value = 0;

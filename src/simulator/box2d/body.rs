@@ -14,14 +14,14 @@ use crate::simulator::units::point_in_metres;
 
 pub(super) struct Body {
     pub(super) dynamic: bool,
-    /// Whether it is awake. It says nothing of static bodies.
+    /// Whether it is awake. Meaningless for static bodies.
     pub(super) awake: bool,
-    /// For how long it has been slower than the sleep tolerances, s.
+    /// How long it has been slower than the sleep tolerances, s.
     pub(super) sleep_time: f32,
-    /// Where its origin is.
+    /// The position and rotation of its origin.
     pub(super) transform: Transform,
     pub(super) sweep: Sweep,
-    /// Of the centre of mass, m/s.
+    /// Velocity of the centre of mass, m/s.
     pub(super) velocity: Vector,
     /// radians/s
     pub(super) angular_velocity: f32,
@@ -29,19 +29,19 @@ pub(super) struct Body {
     pub(super) inv_mass: f32,
     /// 1/(kg m^2); 0 for static bodies.
     pub(super) inv_inertia: f32,
-    /// Its fixtures: a range of the world's.
+    /// The range of its fixtures in the world's list.
     pub(super) fixtures: Range<usize>,
     /// Its contacts, oldest first. Box2D's list has the newest first.
     pub(super) contacts: Vec<usize>,
     pub(super) in_island: bool,
     /// Its index in the island that is being solved.
     pub(super) island_index: usize,
-    /// The end of the sweep for which the AABBs of its fixtures were updated last.
+    /// The end of the sweep for which the AABBs of its fixtures were last updated.
     synchronized: Option<(Vector, f32)>,
 }
 
 impl Body {
-    /// Returns a body at rest with its fixtures, which will have the indices from `first` on.
+    /// Returns a body at rest and its fixtures, whose indices will start at `first`.
     pub(super) fn new(body: &scene::Body, index: usize, first: usize) -> (Body, Vec<Fixture>) {
         let shapes: Vec<Shape> = body.shapes.iter().map(Shape::new).collect();
         let (origin, angle) = (point_in_metres([body.x, body.y]), body.angle as f32);
@@ -76,12 +76,12 @@ impl Body {
         (body, fixtures)
     }
 
-    /// Whether it moves now.
+    /// Returns whether it is moving now.
     pub(super) fn is_active(&self) -> bool {
         self.dynamic && self.awake
     }
 
-    /// Wakes the body (SetAwake). Box2D of 2018 sets the sleep timer back even if the body is awake.
+    /// Wakes the body (SetAwake). Box2D of 2018 resets the sleep timer even if the body is awake.
     pub(super) fn wake(&mut self) {
         self.awake = true;
         self.sleep_time = 0.0;
@@ -95,7 +95,7 @@ impl Body {
         self.angular_velocity = 0.0;
     }
 
-    /// Puts the body where its sweep ends; `rotation` is that of the end (SynchronizeTransform).
+    /// Moves the body to the end of its sweep; `rotation` is the rotation there (SynchronizeTransform).
     pub(super) fn synchronize_transform(&mut self, rotation: Rotation) {
         self.transform = Transform::about(self.sweep.centre, self.sweep.local_centre, rotation);
     }
@@ -109,14 +109,14 @@ impl Body {
         self.synchronize_transform(rotation);
     }
 
-    /// Undoes `advance`, given the sweep before it.
+    /// Undoes `advance`, given the previous sweep.
     pub(super) fn restore_sweep(&mut self, sweep: Sweep) {
         self.sweep = sweep;
         self.synchronize_transform(sweep.rotation(sweep.angle));
     }
 
-    /// Updates the AABBs of the fixtures, all those of the world, after the body has moved (SynchronizeFixtures).
-    /// Returns whether any fat AABB changed.
+    /// Updates the AABBs of the body's fixtures after it has moved (SynchronizeFixtures). `fixtures` are all fixtures
+    /// of the world. Returns whether any fat AABB changed.
     pub(super) fn synchronize_fixtures(&mut self, fixtures: &mut [Fixture]) -> bool {
         let sweep = &self.sweep;
         let rotation = if sweep.angle0 == sweep.angle { self.transform.rotation } else { sweep.rotation(sweep.angle0) };
@@ -133,7 +133,7 @@ impl Body {
     }
 }
 
-/// What a body's shapes resist to forces.
+/// The inverse mass and inertia of a body, with the centre of mass.
 #[derive(Default)]
 struct InverseMass {
     inv_mass: f32,
@@ -142,7 +142,7 @@ struct InverseMass {
 }
 
 impl InverseMass {
-    /// b2Body::ResetMassData. The fixtures are summed newest first, as they are in Box2D's list.
+    /// b2Body::ResetMassData. The fixtures are summed newest first, the order of Box2D's list.
     fn of(shapes: &[Shape]) -> InverseMass {
         let (mut mass, mut moment, mut inertia) = (0.0, Vector::ZERO, 0.0);
         for shape in shapes.iter().rev() {

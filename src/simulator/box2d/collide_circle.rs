@@ -46,7 +46,7 @@ pub(super) fn collide_polygon_and_circle(
     };
     let middle = 0.5 * (v1 + v2);
     if separation < f32::EPSILON {
-        // The centre is inside of the polygon.
+        // The centre is inside the polygon.
         with_face(normals[face], middle)
     } else if (centre - v1).dot(v2 - v1) <= 0.0 {
         with_vertex(v1)

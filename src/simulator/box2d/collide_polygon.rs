@@ -27,7 +27,7 @@ fn find_max_separation(a: &Shape, transform_a: &Transform, b: &Shape, transform_
     (max_separation, best)
 }
 
-/// A point of the incident edge, in the world, while it is clipped (b2ClipVertex).
+/// A point of the incident edge, in world coordinates, during clipping (b2ClipVertex).
 #[derive(Clone, Copy)]
 struct ClipVertex {
     v: Vector,
@@ -56,8 +56,8 @@ fn find_incident_edge(
     })
 }
 
-/// Clips a segment to the side of a line that is opposite to its normal; `None` if less than two points are left
-/// (b2ClipSegmentToLine). `vertex` is the vertex of A that the line goes through.
+/// Clips a segment to the side of a line opposite to its normal; `None` if fewer than two points are left
+/// (b2ClipSegmentToLine). `vertex` is the vertex of A that the line passes through.
 fn clip_segment_to_line(
     segment: [ClipVertex; 2],
     normal: Vector,
@@ -66,7 +66,7 @@ fn clip_segment_to_line(
 ) -> Option<[ClipVertex; 2]> {
     let [first, second] = segment;
     let [distance1, distance2] = segment.map(|point| normal.dot(point.v) - offset);
-    // Where the segment crosses the line.
+    // The point where the segment crosses the line.
     let crossing = || {
         let fraction = distance1 / (distance1 - distance2);
         let (Feature::Vertex(index) | Feature::Face(index)) = first.id.b;
@@ -92,7 +92,7 @@ pub(super) fn collide_polygons(a: &Shape, transform_a: &Transform, b: &Shape, tr
     if separation_b > radius {
         return Manifold::EMPTY;
     }
-    // The reference edge stays with A unless B's is clearly better, so that it does not change from step to step.
+    // The reference edge belongs to A unless B's is clearly better, so that it does not change from step to step.
     let flip = separation_b > separation_a + 0.1 * LINEAR_SLOP;
     let (reference, transform1, edge, incident, transform2) =
         if flip { (b, transform_b, edge_b, a, transform_a) } else { (a, transform_a, edge_a, b, transform_b) };

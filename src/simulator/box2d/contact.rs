@@ -1,4 +1,4 @@
-//! A contact of two fixtures, from when their fat AABBs begin to overlap until they no longer do: b2Contact.
+//! A contact of two fixtures, which exists as long as their fat AABBs overlap: b2Contact.
 
 use super::body::Body;
 use super::fixture::Fixture;
@@ -11,12 +11,12 @@ pub(super) struct Contact {
     pub(super) bodies: [usize; 2],
     pub(super) manifold: Manifold,
     pub(super) touching: bool,
-    /// Cleared for the rest of a step if the two do not touch at their time of impact.
+    /// False for the rest of a step if the two do not touch at their time of impact.
     pub(super) enabled: bool,
     pub(super) in_island: bool,
-    /// The time of impact as a fraction of the step, once it is known; 1 if there is none.
+    /// The time of impact as a fraction of the step, once known; 1 if there is none.
     pub(super) toi: Option<f32>,
-    /// Times of impact handled in this step.
+    /// Number of times of impact handled in this step.
     pub(super) toi_count: u32,
 }
 
@@ -36,14 +36,14 @@ impl Contact {
         }
     }
 
-    /// Returns the other body of a contact of this body.
+    /// Returns the other body of the contact.
     pub(super) fn other(&self, body: usize) -> usize {
         let [a, b] = self.bodies;
         if a == body { b } else { a }
     }
 
-    /// Computes the manifold for the present positions of the bodies, with the impulses of the points that were there
-    /// before, and wakes the bodies if they begin or cease to touch (Update).
+    /// Computes the manifold for the current positions of the bodies, keeping the impulses of existing points, and
+    /// wakes the bodies if they begin or cease to touch (Update).
     pub(super) fn update(&mut self, bodies: &mut [Body], fixtures: &[Fixture]) {
         self.enabled = true;
         let [shape_a, shape_b] = self.fixtures.map(|fixture| &fixtures[fixture].shape);
@@ -62,7 +62,7 @@ impl Contact {
         }
     }
 
-    /// Returns how deep the shapes overlap without the skins of polygons, m; 0 if they do not.
+    /// Returns the depth by which the shapes overlap, without the skins of polygons, m; 0 if they do not.
     pub(super) fn depth(&self, bodies: &[Body], fixtures: &[Fixture]) -> f32 {
         let shapes = self.fixtures.map(|fixture| &fixtures[fixture].shape);
         let transforms = self.bodies.map(|body| &bodies[body].transform);

@@ -1,8 +1,8 @@
-//! The contacts of the world, made by the broad phase and updated by the narrow phase: b2ContactManager and
+//! The contacts of the world, created by the broad phase and updated by the narrow phase: b2ContactManager and
 //! b2BroadPhase.
 //!
-//! Scenes have some dozens of fixtures, so all pairs are compared: no dynamic tree is needed. Contacts are in the order
-//! of Box2D, which decides the order in which they are solved.
+//! Scenes have a few dozen fixtures, so all pairs are compared, without a dynamic tree. Contacts are in Box2D's order,
+//! which determines the order in which they are solved.
 
 use rapier2d::parry::bounding_volume::BoundingVolume;
 
@@ -10,13 +10,13 @@ use super::body::Body;
 use super::contact::Contact;
 use super::fixture::Fixture;
 
-/// Polygons farther apart than this in their AABBs, which include the skins, have no manifold, m. At a corner the skins
-/// of two polygons meet up to sqrt(2) times as far out as their radii, 0.0083 m beyond the AABBs.
+/// Polygons whose AABBs, which include the skins, are farther apart than this have no manifold, m. At a corner, the
+/// skins of two polygons meet up to sqrt(2) times as far out as their radii, 0.0083 m beyond the AABBs.
 const MANIFOLD_MARGIN: f32 = 0.01;
 
 #[derive(Default)]
 pub(super) struct ContactManager {
-    /// The contacts by their ids; ids of those that have ended are used again.
+    /// The contacts by their ids; the ids of ended contacts are reused.
     slots: Vec<Contact>,
     free: Vec<usize>,
     /// The ids of the contacts, oldest first. Box2D's list has the newest first.
@@ -42,7 +42,7 @@ impl std::ops::IndexMut<usize> for ContactManager {
 }
 
 impl ContactManager {
-    /// Returns all contacts, and some that have ended, in no order that matters.
+    /// Returns all contacts, and some ended ones, in an unspecified order that does not affect the result.
     pub(super) fn contacts_mut(&mut self) -> impl Iterator<Item = &mut Contact> {
         self.slots.iter_mut()
     }
@@ -56,7 +56,7 @@ impl ContactManager {
         let mut pairs = std::mem::take(&mut self.pairs);
         for (a, moved) in fixtures.iter().enumerate().filter(|(_, fixture)| fixture.moved) {
             for (b, other) in fixtures.iter().enumerate() {
-                // A pair of which both have moved is found twice.
+                // A pair whose fixtures have both moved is found twice.
                 let is_found = other.moved && b < a;
                 if moved.fat_aabb.intersects(&other.fat_aabb) && moved.body != other.body && !is_found {
                     pairs.push([a.min(b), a.max(b)]);
@@ -69,7 +69,7 @@ impl ContactManager {
         self.pairs = pairs;
     }
 
-    /// Adds the contact of two fixtures, unless there is one or nothing moves (AddPair).
+    /// Adds the contact of two fixtures, unless it exists or both bodies are static (AddPair).
     fn add_pair(&mut self, pair: [usize; 2], bodies: &mut [Body], fixtures: &[Fixture]) {
         let [a, b] = pair.map(|fixture| fixtures[fixture].body);
         let is_same = |&id: &usize| {
@@ -97,8 +97,8 @@ impl ContactManager {
         }
     }
 
-    /// The narrow phase: removes contacts whose fat AABBs no longer overlap, and updates the others of bodies that are
-    /// awake (Collide).
+    /// The narrow phase: removes contacts whose fat AABBs no longer overlap, and updates the remaining contacts of
+    /// awake bodies (Collide).
     pub(super) fn collide(&mut self, bodies: &mut [Body], fixtures: &[Fixture]) {
         for index in (0..self.order.len()).rev() {
             let id = self.order[index];

@@ -1,10 +1,10 @@
 //! The contact solver: b2ContactSolver, with b2ContactVelocityConstraint, b2ContactPositionConstraint and
 //! b2PositionSolverManifold.
 //!
-//! Velocities by sequential impulses, friction first, the two normal impulses of a contact as a block; then positions
-//! by nonlinear Gauss-Seidel, which resolves overlap without adding velocity. Three shortcuts change no bit of the
-//! result: a constraint whose two velocities are those for which it changed nothing is skipped, iterations end when
-//! none changes anything, and nothing is computed for a static body, whose changes would be zero.
+//! Solves velocities by sequential impulses, friction first, with the two normal impulses of a contact as a block. Then
+//! solves positions by nonlinear Gauss-Seidel, which resolves overlap without adding velocity. Three shortcuts change
+//! no bit of the result: a constraint is skipped if its two velocities are those for which it last changed nothing,
+//! iterations end when none changes anything, and nothing is computed for a static body, whose changes would be zero.
 
 use rapier2d::math::Vector;
 
@@ -17,21 +17,21 @@ use crate::simulator::constants::{
     RESTITUTION_THRESHOLD, VELOCITY_ITERATIONS,
 };
 
-/// Where a body of an island is while it is solved (b2Position).
+/// The position of a body of an island during solving (b2Position).
 #[derive(Clone, Copy)]
 pub(super) struct Position {
     /// The centre of mass, m.
     pub(super) centre: Vector,
-    /// Radians, not wrapped.
+    /// The angle, radians, not wrapped.
     pub(super) angle: f32,
-    /// Of the angle.
+    /// The rotation of the angle.
     rotation: Rotation,
     local_centre: Vector,
     is_round: bool,
 }
 
 impl Position {
-    /// The end of a body's sweep.
+    /// Returns the end of a body's sweep.
     pub(super) fn new(body: &Body) -> Position {
         let sweep = &body.sweep;
         Position {
@@ -63,10 +63,10 @@ impl Position {
     }
 }
 
-/// How fast a body of an island is (b2Velocity).
+/// The velocity of a body of an island (b2Velocity).
 #[derive(Clone, Copy)]
 pub(super) struct Velocity {
-    /// Of the centre of mass, m/s.
+    /// Velocity of the centre of mass, m/s.
     pub(super) linear: Vector,
     /// radians/s
     pub(super) angular: f32,
@@ -105,20 +105,20 @@ impl InverseMass {
     }
 }
 
-/// Returns the change of the relative velocity of two bodies along a direction per impulse along it, 1/kg, for a point
-/// at these arms: an entry of K in Box2D. `other_levers` are those of the point at which the impulse acts.
+/// Returns the change of the relative velocity of two bodies along a direction per unit of impulse along it, 1/kg, for
+/// a point at these levers: an entry of K in Box2D. `other_levers` belong to the point where the impulse acts.
 #[inline(always)]
 fn inverse_effective_mass(masses: &[InverseMass; 2], levers: [f32; 2], other_levers: [f32; 2]) -> f32 {
     let [a, b] = masses;
     a.linear + b.linear + a.angular * levers[0] * other_levers[0] + b.angular * levers[1] * other_levers[1]
 }
 
-/// A contact as the velocity solver sees it (b2ContactVelocityConstraint).
+/// A contact in the velocity solver (b2ContactVelocityConstraint).
 pub(super) struct VelocityConstraint {
     /// From A to B, a unit vector.
     normal: Vector,
     points: [VelocityConstraintPoint; 2],
-    /// The two points together. Without it, only the first is solved.
+    /// The two points together. If absent, only the first is solved.
     block: Option<Block>,
     point_count: usize,
     /// Indices in the island.
@@ -128,12 +128,12 @@ pub(super) struct VelocityConstraint {
     settled: Option<[u32; 2]>,
 }
 
-/// A contact point as the velocity solver sees it (b2VelocityConstraintPoint).
+/// A contact point in the velocity solver (b2VelocityConstraintPoint).
 #[derive(Clone, Copy, Default)]
 struct VelocityConstraintPoint {
     /// From the centres of mass of A and B to the point, m (rA and rB).
     arms: [Vector; 2],
-    /// Accumulated so far.
+    /// The accumulated impulse.
     impulse: Impulse,
     /// Effective masses, kg.
     normal_mass: f32,
@@ -150,7 +150,7 @@ struct Block {
 }
 
 impl Block {
-    /// `None` if the two points are so much alike that one is enough.
+    /// `None` if the two points are so similar that one is enough.
     fn new([k11, k12, k22]: [f32; 3]) -> Option<Block> {
         let determinant = k11 * k22 - k12 * k12;
         (k11 * k11 < MAX_CONDITION_NUMBER * determinant).then(|| {
@@ -161,7 +161,7 @@ impl Block {
 }
 
 impl VelocityConstraint {
-    /// Prepares a contact for the present positions and velocities of its island. With `warm_starting`, it starts from
+    /// Prepares a contact for the current positions and velocities of its island. With `warm_starting`, it starts from
     /// the impulses of the last step.
     pub(super) fn new(
         manifold: &Manifold,
@@ -220,11 +220,11 @@ impl VelocityConstraint {
         velocities[index_b] = b;
     }
 
-    /// Stores the impulses for the warm starting of the next step (StoreImpulses), which starts from none where they
-    /// grow without limit.
+    /// Stores the impulses for the warm starting of the next step (StoreImpulses). Impulses above the limit are stored
+    /// as zero.
     pub(super) fn store_impulses(&self, manifold: &mut Manifold) {
         for (to, from) in manifold.points_mut().iter_mut().zip(&self.points[..self.point_count]) {
-            // The tangent impulse is at most the normal one times the friction coefficient.
+            // The tangent impulse is at most the normal impulse times the friction coefficient.
             let is_limited = from.impulse.normal <= MAX_WARM_STARTING_IMPULSE;
             to.impulse = if is_limited { from.impulse } else { Impulse::default() };
         }
@@ -257,7 +257,7 @@ impl VelocityConstraint {
         }
     }
 
-    /// `A` and `B` tell which of the bodies move; at least one does.
+    /// `A` and `B` say which of the bodies move; at least one does.
     #[inline(always)]
     fn iterate_moving<const A: bool, const B: bool>(&mut self, velocities: &mut [Velocity], iterations: usize) -> bool {
         let [index_a, index_b] = self.bodies;
@@ -399,7 +399,7 @@ pub(super) fn solve_velocity_constraints(constraints: &mut [VelocityConstraint],
     }
 }
 
-/// A contact as the position solver sees it (b2ContactPositionConstraint).
+/// A contact in the position solver (b2ContactPositionConstraint).
 pub(super) struct PositionConstraint {
     kind: Kind,
     local_normal: Vector,
@@ -428,7 +428,7 @@ impl PositionConstraint {
         }
     }
 
-    /// Returns normal, point and separation, m, of a contact point (b2PositionSolverManifold).
+    /// Returns the normal, point and separation, m, of a contact point (b2PositionSolverManifold).
     #[inline(always)]
     fn manifold(&self, point: usize, transform_a: &Transform, transform_b: &Transform) -> (Vector, Vector, f32) {
         let [radius_a, radius_b] = self.radii;
@@ -455,8 +455,8 @@ impl PositionConstraint {
         }
     }
 
-    /// One iteration: resolves the fraction `baumgarte` of the overlap at each point. Returns the smallest separation
-    /// that it met, m, at most 0.
+    /// Runs one iteration, which resolves the fraction `baumgarte` of the overlap at each point. Returns the smallest
+    /// separation encountered, m, at most 0.
     #[inline]
     fn solve(&self, positions: &mut [Position], baumgarte: f32) -> f32 {
         let [index_a, index_b] = self.bodies;
@@ -487,7 +487,7 @@ impl PositionConstraint {
 }
 
 /// Moves the bodies once so that contact points overlap less (SolvePositionConstraints and
-/// SolveTOIPositionConstraints). Returns the smallest separation that it met, m, at most 0.
+/// SolveTOIPositionConstraints). Returns the smallest separation encountered, m, at most 0.
 pub(super) fn solve_position_constraints(
     constraints: &[PositionConstraint],
     positions: &mut [Position],

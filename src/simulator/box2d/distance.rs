@@ -6,7 +6,7 @@ use rapier2d::math::Vector;
 use super::math::{Transform, clockwise, length};
 use super::shape::Shape;
 
-/// Most iterations (k_maxIters).
+/// Maximum number of iterations (k_maxIters).
 const MAX_ITERATIONS: usize = 20;
 
 /// The vertices of the last simplex, from which the next call starts (b2SimplexCache).
@@ -15,12 +15,12 @@ pub(super) struct SimplexCache {
     /// Length or area of the simplex, m or m^2.
     metric: f32,
     count: usize,
-    /// Of A and of B.
+    /// Pairs of vertices of A and of B.
     vertices: [[usize; 2]; 3],
 }
 
 impl SimplexCache {
-    /// The vertices of A and of B whose difference is a vertex of the simplex, one pair for each.
+    /// Returns the pairs of vertices of A and B whose differences are the vertices of the simplex.
     pub(super) fn vertices(&self) -> &[[usize; 2]] {
         &self.vertices[..self.count]
     }
@@ -29,7 +29,7 @@ impl SimplexCache {
 /// A vertex of the Minkowski difference of B and A (b2SimplexVertex).
 #[derive(Clone, Copy, Default)]
 struct SimplexVertex {
-    /// The vertices of A and B that it is the difference of, in the world, m, and their indices.
+    /// The vertices of A and B whose difference it is, in world coordinates, m, and their indices.
     on_a: Vector,
     on_b: Vector,
     indices: [usize; 2],
@@ -145,20 +145,20 @@ impl Simplex {
         self.count = 1;
     }
 
-    /// Keeps the edge from `first` to `second`, to which the nearest point divides by these weights before they are
-    /// normalised.
+    /// Keeps the edge from `first` to `second`. The nearest point divides it by these weights, which are normalised
+    /// here.
     fn keep2(&mut self, [first, second]: [usize; 2], [weight1, weight2]: [f32; 2]) {
         let inv_sum = 1.0 / (weight1 + weight2);
         self.vertices[first].weight = weight1 * inv_sum;
         self.vertices[second].weight = weight2 * inv_sum;
-        // The order decides where the next vertex goes: the last one moves into the gap.
+        // The order decides the slot of the next vertex: the last one moves into the gap.
         if second == 2 {
             self.vertices[if first == 0 { 1 } else { 0 }] = self.vertices[2];
         }
         self.count = 2;
     }
 
-    /// The point of an edge that is nearest to the origin (b2Simplex::Solve2).
+    /// Finds the point of an edge that is nearest to the origin (b2Simplex::Solve2).
     #[inline(always)]
     fn solve2(&mut self) {
         let (w1, w2) = (self.vertices[0].w, self.vertices[1].w);
@@ -174,7 +174,7 @@ impl Simplex {
         self.keep2([0, 1], [d1, d2]);
     }
 
-    /// The point of a triangle that is nearest to the origin (b2Simplex::Solve3).
+    /// Finds the point of a triangle that is nearest to the origin (b2Simplex::Solve3).
     fn solve3(&mut self) {
         let [w1, w2, w3] = self.vertices.map(|vertex| vertex.w);
         let (e12, e13, e23) = (w2 - w1, w3 - w1, w3 - w2);

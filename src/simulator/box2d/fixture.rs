@@ -12,29 +12,28 @@ use crate::simulator::constants::{AABB_EXTENSION, AABB_MULTIPLIER};
 pub(super) struct Fixture {
     pub(super) body: usize,
     pub(super) shape: Shape,
-    /// How far its vertices are from the body's centre of mass, m.
+    /// Maximum distance of its vertices from the body's centre of mass, m.
     pub(super) reach: f32,
-    /// Where the body is now.
+    /// The bounding box at the body's current position.
     pub(super) aabb: Aabb,
-    /// Over the last step.
+    /// The bounding box over the last step.
     pub(super) swept_aabb: Aabb,
-    /// In the broad phase: larger, so that it changes seldom.
+    /// The bounding box in the broad phase: larger, so that it seldom changes.
     pub(super) fat_aabb: Aabb,
-    /// Whether the fat AABB has changed since the broad phase looked for new pairs.
+    /// Whether the fat AABB has changed since the last search for new pairs.
     pub(super) moved: bool,
 }
 
 impl Fixture {
-    /// Returns a fixture of a body, by its index, whose centre of mass is at `local_centre`, m, in its frame.
+    /// Returns a fixture of the body with this index, whose centre of mass is at `local_centre`, m, in its frame.
     pub(super) fn new(body: usize, shape: Shape, local_centre: Vector, transform: &Transform) -> Fixture {
         let aabb = shape.aabb(transform);
         let (reach, fat_aabb) = (shape.reach(local_centre), aabb.loosened(AABB_EXTENSION));
         Fixture { body, shape, reach, aabb, swept_aabb: aabb, fat_aabb, moved: true }
     }
 
-    /// Updates the AABBs after the body has moved (b2Fixture::Synchronize). Without `start`, it has moved from where
-    /// the AABBs were updated last. `displacement` is that of the body's origin, m. Returns whether the fat AABB
-    /// changed.
+    /// Updates the AABBs after the body has moved (b2Fixture::Synchronize). Without `start`, the motion began where the
+    /// AABBs were last updated. `displacement` is that of the body's origin, m. Returns whether the fat AABB changed.
     pub(super) fn synchronize(&mut self, start: Option<&Transform>, end: &Transform, displacement: Vector) -> bool {
         let start_aabb = start.map_or(self.aabb, |start| self.shape.aabb(start));
         self.aabb = self.shape.aabb(end);

@@ -1,4 +1,4 @@
-//! Bodies that are connected by touching contacts, solved and put to sleep together: b2Island.
+//! Bodies connected by touching contacts, which are solved and put to sleep together: b2Island.
 
 use rapier2d::math::Vector;
 
@@ -14,7 +14,7 @@ use crate::simulator::constants::{
     MAX_TRANSLATION, POSITION_ITERATIONS, TIME_STEP, TIME_TO_SLEEP, TOI_BAUMGARTE,
 };
 
-/// An island; between two steps it keeps only its memory.
+/// An island. Between two steps, only its allocated memory is kept.
 #[derive(Default)]
 pub(super) struct Island {
     /// Indices of its bodies in the world.
@@ -33,7 +33,7 @@ impl Island {
         self.contacts.clear();
     }
 
-    /// Adds a body and tells it its index here.
+    /// Adds a body and sets its index in the island.
     pub(super) fn add(&mut self, index: usize, body: &mut Body) {
         body.island_index = self.bodies.len();
         self.bodies.push(index);
@@ -67,8 +67,8 @@ impl Island {
         self.update_sleep(bodies, is_solved);
     }
 
-    /// Solves the two bodies of a time of impact, the first two of the island, where they are, and moves them for the
-    /// rest of the step, s (SolveTOI). All others are static, so nothing has to hold them.
+    /// Solves the two bodies of a time of impact, the first two of the island, at their current positions, and moves
+    /// them for the rest of the step, s (SolveTOI). All other bodies are static, so they need not be held.
     pub(super) fn solve_toi(
         &mut self,
         bodies: &mut [Body],
@@ -89,7 +89,7 @@ impl Island {
             let sweep = &mut bodies[index].sweep;
             (sweep.centre0, sweep.angle0) = (position.centre, position.angle);
         }
-        // No warm starting, and nothing is stored for it.
+        // No warm starting, and no impulses are stored for it.
         self.prepare_velocities(bodies, fixtures, contacts, false);
         solve_velocity_constraints(&mut self.velocity_constraints, &mut self.velocities);
         self.integrate_positions(time);
@@ -122,7 +122,7 @@ impl Island {
         }));
     }
 
-    /// Moves the positions for a time, s, by the velocities, which it limits first.
+    /// Moves the positions by the velocities, which are limited first, for a time, s.
     fn integrate_positions(&mut self, time: f32) {
         for (position, velocity) in self.positions.iter_mut().zip(&mut self.velocities) {
             let translation = time * velocity.linear;
@@ -155,7 +155,7 @@ impl Island {
         }
     }
 
-    /// Puts the island to sleep when all its bodies have been slow for long enough.
+    /// Puts the island to sleep if all its bodies have been slow for long enough.
     fn update_sleep(&self, bodies: &mut [Body], is_solved: bool) {
         let mut min_sleep_time = f32::MAX;
         for &index in &self.bodies {

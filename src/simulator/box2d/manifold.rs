@@ -1,4 +1,5 @@
-//! Where two shapes touch: b2Manifold with its points (b2Collision.h), and b2WorldManifold, the same in the world.
+//! The contact points of two shapes: b2Manifold with its points (b2Collision.h), and b2WorldManifold, the same in world
+//! coordinates.
 
 use rapier2d::math::Vector;
 
@@ -7,18 +8,19 @@ use super::collide_polygon::collide_polygons;
 use super::math::{Transform, normalized};
 use super::shape::Shape;
 
-/// The contact of two shapes, A and B, in the frames of their bodies, so that the solver can move these (b2Manifold).
+/// The contact of two shapes, A and B, in the frames of their bodies, so that the solver can move the bodies
+/// (b2Manifold).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Manifold {
     pub(super) kind: Kind,
-    /// The reference: a normal, and a point of its face, m. Of two circles the centre of A, without a normal.
+    /// The reference: a normal and a point of its face, m. For two circles, the centre of A without a normal.
     pub(super) local_normal: Vector,
     pub(super) local_point: Vector,
     points: [ManifoldPoint; 2],
     count: usize,
 }
 
-/// Which body the reference of a manifold belongs to (b2Manifold::Type).
+/// The body that the reference of a manifold belongs to (b2Manifold::Type).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
     Circles,
@@ -32,7 +34,7 @@ pub(super) struct ManifoldPoint {
     /// In the frame of its body, m.
     pub(super) local: Vector,
     pub(super) id: ContactId,
-    /// The accumulated impulse of the last step, kg m/s: the solver starts from it (warm starting).
+    /// The accumulated impulse of the last step, kg m/s, from which the solver starts (warm starting).
     pub(super) impulse: Impulse,
 }
 
@@ -43,7 +45,7 @@ pub(super) struct Impulse {
     pub(super) tangent: f32,
 }
 
-/// The features of A and B that meet at a point: the same point in the next step has the same id (b2ContactID).
+/// The features of A and B that meet at a point. The same point has the same id in the next step (b2ContactID).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct ContactId {
     pub(super) a: Feature,
@@ -63,7 +65,7 @@ impl Default for Feature {
 }
 
 impl Manifold {
-    /// Of shapes that do not touch.
+    /// The manifold of shapes that do not touch.
     pub(super) const EMPTY: Manifold = {
         let id = ContactId { a: Feature::Vertex(0), b: Feature::Vertex(0) };
         let point = ManifoldPoint { local: Vector::ZERO, id, impulse: Impulse { normal: 0.0, tangent: 0.0 } };
@@ -109,20 +111,20 @@ impl Manifold {
         self.count += 1;
     }
 
-    /// Returns the manifold with this centre of a circle as its only point.
+    /// Returns the manifold with the centre of a circle as its only point.
     pub(super) fn with_centre(mut self) -> Manifold {
         self.push(Vector::ZERO, ContactId::default());
         self
     }
 }
 
-/// The contact of two shapes in the world (b2WorldManifold).
+/// The contact of two shapes in world coordinates (b2WorldManifold).
 pub(super) struct WorldManifold {
     /// From A to B, a unit vector.
     pub(super) normal: Vector,
     /// Halfway between the two surfaces, m.
     pub(super) points: [Vector; 2],
-    /// Of the two surfaces at the points, m; negative where they overlap.
+    /// Separations of the two surfaces at the points, m; negative where they overlap.
     pub(super) separations: [f32; 2],
 }
 

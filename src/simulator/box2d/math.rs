@@ -1,7 +1,7 @@
 //! Rotations, transforms and scalars: b2Rot, b2Transform and the functions of b2Math.h.
 //!
 //! Vectors are rapier's; `Vector::dot`, `perp_dot` and `perp` are b2Dot, b2Cross of two vectors, and b2Cross of 1 and a
-//! vector. Sums and products are in the order in which Box2D computes them, since another order rounds otherwise.
+//! vector. Sums and products are in Box2D's order, because another order rounds differently.
 
 use rapier2d::math::Vector;
 
@@ -15,8 +15,8 @@ pub(super) struct Rotation {
 impl Rotation {
     pub(super) const IDENTITY: Rotation = Rotation { sin: 0.0, cos: 1.0 };
 
-    /// Sine and cosine are rounded correctly: computed in double precision, then rounded once. PHYRE's came from the C
-    /// library of its time, which does so nearly always; later ones round otherwise.
+    /// Sine and cosine are correctly rounded: computed in double precision, then rounded once. PHYRE's came from the C
+    /// library of its time, which nearly always rounds correctly; later libraries round differently.
     pub(super) fn new(angle: f32) -> Rotation {
         let (sin, cos) = libm::sincos(f64::from(angle));
         Rotation { sin: sin as f32, cos: cos as f32 }
@@ -35,7 +35,7 @@ impl Rotation {
     }
 }
 
-/// The frame of a body: the place of its origin, m, and its rotation (b2Transform).
+/// The frame of a body: the position of its origin, m, and its rotation (b2Transform).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Transform {
     pub(super) position: Vector,
@@ -43,26 +43,27 @@ pub(super) struct Transform {
 }
 
 impl Transform {
-    /// Returns the frame of a body whose centre of mass is at `centre`, m; `local_centre` is this point in its frame.
+    /// Returns the frame of a body whose centre of mass is at `centre`, m; `local_centre` is this point in the body's
+    /// frame.
     #[inline(always)]
     pub(super) fn about(centre: Vector, local_centre: Vector, rotation: Rotation) -> Transform {
         Transform { position: centre - rotation.rotate(local_centre), rotation }
     }
 
-    /// Returns a point of this frame in the world (b2Mul).
+    /// Transforms a point from this frame to the world (b2Mul).
     #[inline(always)]
     pub(super) fn to_world(self, p: Vector) -> Vector {
         let Rotation { sin, cos } = self.rotation;
         Vector::new((cos * p.x - sin * p.y) + self.position.x, (sin * p.x + cos * p.y) + self.position.y)
     }
 
-    /// Returns a point of the world in this frame (b2MulT).
+    /// Transforms a point from the world to this frame (b2MulT).
     #[inline(always)]
     pub(super) fn to_local(self, p: Vector) -> Vector {
         self.rotation.rotate_back(p - self.position)
     }
 
-    /// Returns another frame as this one sees it (b2MulT).
+    /// Returns another frame relative to this one (b2MulT).
     #[inline(always)]
     pub(super) fn relative(&self, other: &Transform) -> Transform {
         let (q, r) = (self.rotation, other.rotation);
@@ -77,14 +78,15 @@ pub(super) fn clockwise(v: Vector) -> Vector {
     Vector::new(v.y, -v.x)
 }
 
-/// The length of a vector. `Vector::length` takes the square root from libm, which is a loop in wasm; the result is the
-/// same, because IEEE 754 prescribes the rounding.
+/// Returns the length of a vector. `Vector::length` takes the square root from libm, which is a loop in wasm; the
+/// result is the same, because IEEE 754 prescribes the rounding.
 #[inline(always)]
 pub(super) fn length(v: Vector) -> f32 {
     v.length_squared().sqrt()
 }
 
-/// Returns the unit vector in the direction of a vector, or a vector of hardly any length as it is (b2Vec2::Normalize).
+/// Returns the unit vector in the direction of a vector. A vector of negligible length is returned unchanged
+/// (b2Vec2::Normalize).
 #[inline(always)]
 pub(super) fn normalized(v: Vector) -> Vector {
     let length = length(v);
@@ -95,19 +97,19 @@ pub(super) fn normalized(v: Vector) -> Vector {
     Vector::new(v.x * inv_length, v.y * inv_length)
 }
 
-/// The smaller of two numbers (b2Min). `f32::min` treats NaN, which is a call in wasm.
+/// Returns the smaller of two numbers (b2Min). `f32::min` handles NaN, which is a call in wasm.
 #[inline(always)]
 pub(super) fn min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The larger of two numbers (b2Max).
+/// Returns the larger of two numbers (b2Max).
 #[inline(always)]
 pub(super) fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// The number of `low..=high` that is nearest to `a` (b2Clamp).
+/// Returns the number in `low..=high` that is nearest to `a` (b2Clamp).
 #[inline(always)]
 pub(super) fn clamp(a: f32, low: f32, high: f32) -> f32 {
     max(low, min(a, high))

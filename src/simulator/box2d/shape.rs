@@ -1,7 +1,7 @@
 //! Convex shapes: b2PolygonShape, b2CircleShape and b2MassData.
 //!
-//! A circle is one vertex at the origin of its body, with a radius; a polygon has a thin skin for its radius. This is
-//! how Box2D's distances see them (b2DistanceProxy).
+//! A circle is one vertex at the origin of its body, with a radius; a polygon has the thickness of its skin as its
+//! radius. Box2D's distances use the same representation (b2DistanceProxy).
 
 use rapier2d::geometry::Aabb;
 use rapier2d::math::Vector;
@@ -13,11 +13,11 @@ use crate::simulator::units::{metres, point_in_metres};
 
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
-    /// Of the surface about the vertices, m: that of a circle, or of a polygon's skin.
+    /// Distance of the surface from the vertices, m: the radius of a circle, or the thickness of a polygon's skin.
     pub(super) radius: f32,
     count: usize,
     vertices: [Vector; MAX_POLYGON_VERTICES],
-    /// Outward, of the edge from each vertex to the next.
+    /// Outward normals of the edges from each vertex to the next.
     normals: [Vector; MAX_POLYGON_VERTICES],
 }
 
@@ -57,7 +57,7 @@ impl Shape {
                 distinct.push(point);
             }
         }
-        // From the rightmost point, of several the lowest.
+        // Starts from the rightmost point; if there are several, from the lowest of them.
         let mut first = 0;
         for (index, point) in distinct.iter().enumerate() {
             let rightmost = distinct[first];
@@ -104,13 +104,13 @@ impl Shape {
         &self.normals[..self.count]
     }
 
-    /// Returns the index of the vertex after one.
+    /// Returns the index of the next vertex.
     #[inline(always)]
     pub(super) fn next(&self, index: usize) -> usize {
         if index + 1 < self.count { index + 1 } else { 0 }
     }
 
-    /// Returns the index of the vertex that is farthest into a direction (b2DistanceProxy::GetSupport).
+    /// Returns the index of the vertex that is farthest in a direction (b2DistanceProxy::GetSupport).
     #[inline(always)]
     pub(super) fn support(&self, direction: Vector) -> usize {
         let (mut best, mut farthest) = (0, self.vertices[0].dot(direction));
@@ -123,8 +123,8 @@ impl Shape {
         best
     }
 
-    /// Returns the mass of the shape for a density, kg/m^2 (ComputeMass): of a polygon by triangles about the mean of
-    /// its vertices.
+    /// Returns the mass of the shape for a density, kg/m^2 (ComputeMass). A polygon is split into triangles about the
+    /// mean of its vertices.
     pub(super) fn mass_data(&self, density: f32) -> MassData {
         const THIRD: f32 = 1.0 / 3.0;
         if self.is_circle() {

@@ -6,8 +6,8 @@ use rapier2d::math::Vector;
 
 use super::math::{Rotation, Transform};
 
-/// The centre of mass, m, and the angle, radians, not wrapped, of a body at the start of the step or at its last time
-/// of impact (`centre0`, `angle0`), and at the end.
+/// The motion of a body's centre of mass, m, and its angle, radians, not wrapped. `centre0` and `angle0` belong to the
+/// start of the step or the last time of impact, the rest to the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sweep {
     /// The centre of mass in the frame of the body, m.
@@ -18,7 +18,7 @@ pub(super) struct Sweep {
     pub(super) angle: f32,
     /// The fraction of the step to which `centre0` and `angle0` belong.
     pub(super) alpha0: f32,
-    /// All shapes are circles about the origin, so the rotation changes nothing and is not computed.
+    /// Whether all shapes are circles about the origin. Rotation then changes nothing and is not computed.
     pub(super) is_round: bool,
 }
 
@@ -37,8 +37,8 @@ impl Sweep {
         Transform::about(centre, self.local_centre, rotation)
     }
 
-    /// Moves the start forward to a fraction of the step (Advance). It interpolates otherwise than `transform`: so a
-    /// body that does not move stays where it is to the last bit.
+    /// Moves the start forward to a fraction of the step (Advance). It interpolates differently from `transform`, so a
+    /// body that does not move stays in place to the last bit.
     #[inline]
     pub(super) fn advance(&mut self, alpha: f32) {
         let beta = (alpha - self.alpha0) / (1.0 - self.alpha0);
@@ -54,7 +54,7 @@ impl Sweep {
     }
 }
 
-/// `f32::floor`, which is a call where the processor's instruction set has no such instruction.
+/// Like `f32::floor`, which is a call if the processor's instruction set has no such instruction.
 fn floor(number: f32) -> f32 {
     // From here on all numbers are whole.
     const LARGEST: f32 = 8_388_608.0;

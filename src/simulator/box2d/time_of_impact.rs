@@ -1,7 +1,7 @@
-//! When two moving shapes meet within a step: b2TimeOfImpact and b2SeparationFunction.
+//! The time at which two moving shapes meet within a step: b2TimeOfImpact and b2SeparationFunction.
 //!
-//! Without it fast bodies would sink into static ones, or tunnel through thin bars. `stays_apart` is a shortcut of ours
-//! for the most frequent answer, that they do not meet.
+//! Without it, fast bodies would sink into static ones or tunnel through thin bars. `stays_apart` is a shortcut, not in
+//! Box2D, for the most frequent result: the shapes do not meet.
 
 use rapier2d::math::Vector;
 
@@ -62,7 +62,7 @@ pub(super) fn time_of_impact(a: &Shape, sweep_a: &Sweep, b: &Shape, sweep_b: &Sw
     None
 }
 
-/// The separation of two moving shapes along an axis that the nearest features give (b2SeparationFunction).
+/// The separation of two moving shapes along an axis given by the nearest features (b2SeparationFunction).
 struct SeparationFunction<'a> {
     a: &'a Shape,
     sweep_a: &'a Sweep,
@@ -72,11 +72,11 @@ struct SeparationFunction<'a> {
 }
 
 enum Axis {
-    /// From a vertex of A to one of B, in the world.
+    /// From a vertex of A to one of B, in world coordinates.
     Points(Vector),
     /// The normal of an edge of A, and a point of the edge, both in A's frame.
     FaceA { normal: Vector, point: Vector },
-    /// The same of an edge of B.
+    /// The same for an edge of B.
     FaceB { normal: Vector, point: Vector },
 }
 
@@ -87,7 +87,7 @@ impl<'a> SeparationFunction<'a> {
         sweep_a: &'a Sweep,
         sweep_b: &'a Sweep,
     ) -> SeparationFunction<'a> {
-        // Of an edge and the other shape's vertex, the normal that points to the vertex.
+        // For an edge and the other shape's vertex, the normal that points to the vertex.
         let face = |shape: &Shape, edge: [usize; 2], transform: &Transform, vertex: Vector| {
             let [v1, v2] = edge.map(|index| shape.vertices()[index]);
             let normal = normalized(clockwise(v2 - v1));
@@ -144,8 +144,8 @@ impl<'a> SeparationFunction<'a> {
         }
     }
 
-    /// Returns the time of `t1..t2` at which the separation of two vertices is `target`, by bisection and the secant
-    /// rule in turn; `None` if it is not found.
+    /// Returns the time in `t1..t2` at which the separation of two vertices is `target`, by alternating bisection and
+    /// the secant rule; `None` if it is not found.
     fn root(&self, vertices: [usize; 2], target: f32, [t1, t2]: [f32; 2], [s1, s2]: [f32; 2]) -> Option<f32> {
         let (mut t1, mut t2, mut s1, mut s2) = (t1, t2, s1, s2);
         for iteration in 0..MAX_TOI_ROOT_ITERATIONS {
@@ -165,13 +165,13 @@ impl<'a> SeparationFunction<'a> {
     }
 }
 
-/// Shapes that stay this much farther apart than where they meet are not examined further, m: far more than the
-/// rounding errors of all distances within a scene.
+/// Shapes that stay at least this much farther apart than the distance at which they meet are not examined further, m.
+/// This is far more than the rounding errors of all distances within a scene.
 pub(super) const MARGIN: f32 = 1e-3;
 
-/// Returns by how much more than `MARGIN` a vertex of a turning shape may leave the straight line between its places at
-/// the start and the end, m. It moves on an arc of at most `reach`; the height of an arc over its chord is at most the
-/// radius times the squared angle over 8.
+/// Returns by how much more than `MARGIN` a vertex of a turning shape may leave the straight line between its positions
+/// at the start and the end, m. It moves on an arc with a radius of at most `reach`; the height of an arc over its
+/// chord is at most the radius times the squared angle over 8.
 pub(super) fn arc_height(sweep: &Sweep, reach: f32) -> f32 {
     if sweep.is_round {
         return 0.0;
@@ -180,14 +180,14 @@ pub(super) fn arc_height(sweep: &Sweep, reach: f32) -> f32 {
     reach * turn * turn * 0.125
 }
 
-/// Whether a moving shape stays so far from a fixed one, along one fixed direction, that `time_of_impact` finds
+/// Returns whether a moving shape stays so far from a fixed one, along one fixed direction, that `time_of_impact` finds
 /// nothing.
 ///
-/// If both ends of the motion are on the far side of a line, so is all that is between, but for `arc_height`. It
-/// answers nineteen of twenty questions at a fraction of the cost. `end` is the moving body's frame at the end of its
-/// sweep, `reach` how far the moving shape's vertices are from the centre of mass, m, and `normal` a guess of the
-/// direction, that of their contact, from the fixed shape to the moving one, or zero: then the fixed shape's edges are
-/// tried.
+/// If both ends of the motion are on the far side of a line, so is everything in between, up to `arc_height`. This
+/// settles nineteen of twenty cases at a fraction of the cost. `end` is the moving body's frame at the end of its
+/// sweep; `reach` is the maximum distance of the moving shape's vertices from the centre of mass, m. `normal` is a
+/// guess of the direction, from the fixed shape to the moving one: the normal of their contact, or zero to try the
+/// fixed shape's edges.
 pub(super) fn stays_apart(
     (fixed, transform): (&Shape, &Transform),
     (moving, sweep, end): (&Shape, &Sweep, &Transform),
@@ -197,7 +197,7 @@ pub(super) fn stays_apart(
     let near = target(fixed, moving) + TOI_TOLERANCE + MARGIN;
     if sweep.is_round {
         if fixed.is_circle() {
-            // The distance of a point and a segment.
+            // The distance between a point and a segment.
             let (from, along) = (sweep.centre0 - transform.position, sweep.centre - sweep.centre0);
             let squared = along.length_squared();
             let nearest = if squared > 0.0 { clamp(-from.dot(along) / squared, 0.0, 1.0) } else { 0.0 };
@@ -247,7 +247,7 @@ mod tests {
         prop_oneof![(0.3..5.0f32).prop_map(Shape::circle), (0.3..20.0f32, 0.3..2.0f32).prop_map(bar)]
     }
 
-    /// A motion over a step, from near the origin: of a body that is centred, and may turn.
+    /// A motion over a step, from near the origin, of a centred body that may turn.
     fn sweep() -> impl Strategy<Value = Sweep> {
         let coordinate = || -15.0..15.0f32;
         let displacement = || -1.0..1.0f32;

@@ -1,7 +1,8 @@
 //! The world and its step: b2World.
 //!
-//! A step finds new contacts, updates all, solves the islands and then the times of impact. The orders of bodies and
-//! contacts are those of Box2D's lists, newest first, because the result of a Gauss-Seidel solver depends on the order.
+//! A step finds new contacts, updates all contacts, and solves first the islands and then the times of impact. Bodies
+//! and contacts are in the order of Box2D's lists, newest first, because the result of a Gauss-Seidel solver depends on
+//! the order.
 
 use rapier2d::math::Vector;
 use rapier2d::parry::bounding_volume::BoundingVolume;
@@ -64,14 +65,14 @@ impl EngineWorld for World {
 }
 
 impl World {
-    /// Returns the bodies of each touching contact; a pair is there as often as fixtures of it touch.
+    /// Returns the bodies of each touching contact. A pair occurs once for each pair of its fixtures that touch.
     pub(crate) fn touching_pairs(&self) -> impl Iterator<Item = [usize; 2]> {
         let contacts = self.contact_manager.order.iter().map(|&id| &self.contact_manager[id]);
         contacts.filter(|contact| contact.touching).map(|contact| contact.bodies)
     }
 
-    /// Returns the pairs of bodies, by their indices, ascending, and how deep the shapes of each contact between them
-    /// overlap before the first step, m.
+    /// Returns the pairs of bodies in contact before the first step, by their indices, ascending, and the depth by
+    /// which the shapes of each contact overlap, m.
     pub(crate) fn depths(&mut self) -> Vec<([usize; 2], f32)> {
         self.contact_manager.find_new_contacts(&mut self.bodies, &mut self.fixtures);
         let order = self.contact_manager.order.clone();
@@ -112,7 +113,7 @@ impl World {
         while let Some(index) = self.stack.pop() {
             let body = &mut self.bodies[index];
             self.island.add(index, body);
-            // The sleep timer goes on.
+            // The sleep timer continues.
             body.awake = true;
             if !body.dynamic {
                 continue;
@@ -133,7 +134,7 @@ impl World {
         }
     }
 
-    /// Continuous collision: handles, one after the other, the times within the step at which a dynamic body meets a
+    /// Continuous collision: handles, one after another, the times within the step at which a dynamic body meets a
     /// static one (SolveTOI).
     fn solve_toi(&mut self) {
         for body in &mut self.bodies {
@@ -148,7 +149,7 @@ impl World {
         }
     }
 
-    /// Returns the contact with the earliest time of impact, and this time as a fraction of the step.
+    /// Returns the contact with the earliest time of impact, and that time as a fraction of the step.
     fn min_toi_contact(&mut self) -> Option<(usize, f32)> {
         let (mut min_contact, mut min_alpha) = (None, 1.0);
         for index in (0..self.contact_manager.order.len()).rev() {
@@ -161,7 +162,7 @@ impl World {
                 Some(alpha) => alpha,
                 None => {
                     let [a, b] = contact.bodies.map(|body| &self.bodies[body]);
-                    // Two dynamic bodies are left to the discrete solver.
+                    // Contacts of two dynamic bodies are left to the discrete solver.
                     if a.dynamic == b.dynamic || !(a.is_active() || b.is_active()) {
                         continue;
                     }
@@ -182,7 +183,7 @@ impl World {
     fn contact_toi(&mut self, id: usize) -> f32 {
         let contact = &self.contact_manager[id];
         let [a, b] = contact.bodies;
-        // Both sweeps begin at the same time, even if nothing comes of it.
+        // Both sweeps must begin at the same time, even if there is no impact.
         let alpha0 = max(self.bodies[a].sweep.alpha0, self.bodies[b].sweep.alpha0);
         for body in [a, b] {
             if self.bodies[body].sweep.alpha0 < alpha0 {
@@ -199,8 +200,8 @@ impl World {
         }
     }
 
-    /// Whether a contact surely has no time of impact: a shortcut, by the bounding boxes, then along the normal of the
-    /// contact.
+    /// Returns whether a contact certainly has no time of impact. This is a shortcut that tests the bounding boxes,
+    /// then the direction of the contact's normal.
     fn stays_apart(&self, id: usize) -> bool {
         let contact = &self.contact_manager[id];
         let normal = match contact.manifold.kind {
@@ -214,7 +215,7 @@ impl World {
         let (fixed, fixed_fixture, moving, moving_fixture, normal) =
             if a.dynamic { (b, fixture_b, a, fixture_a, -normal) } else { (a, fixture_a, b, fixture_b, normal) };
         let margin = MARGIN + arc_height(&moving.sweep, moving_fixture.reach);
-        // A rotation that is not a number has no bounds.
+        // A NaN rotation has no bounds.
         if margin.is_nan() {
             return false;
         }
@@ -308,7 +309,7 @@ mod tests {
     use crate::puzzle::scene::walls;
     use crate::simulator::constants::{GRAVITY, TIME_TO_SLEEP};
 
-    /// A world of balls, px, with their velocities, m/s; without walls.
+    /// A world of balls, px, with their velocities, m/s, without walls.
     fn flying(balls: &[(Ball, Vector)]) -> World {
         let mut world = World::default();
         for &(ball, velocity) in balls {
@@ -318,7 +319,7 @@ mod tests {
         world
     }
 
-    /// Total mass, linear momentum and angular momentum about the origin, SI units.
+    /// Returns the total mass, linear momentum and angular momentum about the origin, SI units.
     fn momentum(world: &World) -> (f32, Vector, f32) {
         world.bodies.iter().fold((0.0, Vector::ZERO, 0.0), |(mass, linear, angular), body| {
             let momentum = body.velocity / body.inv_mass;
@@ -338,7 +339,7 @@ mod tests {
         let ((mass, linear, _), before) = (momentum(&world), relative_velocity(&world));
         let mut touched = false;
         for step in 1..=30 {
-            // Gravity is a force from outside; its torque is that on the centre of mass.
+            // Gravity is an external force; its torque is that on the centre of mass.
             let (_, _, angular) = momentum(&world);
             let torque = world.bodies.iter().map(|body| body.sweep.centre.x * GRAVITY / body.inv_mass);
             let expected_angular = angular + TIME_STEP * torque.sum::<f32>();

@@ -1,11 +1,11 @@
-//! The nets of an ONNX file, run by tract. In wasm it has plain exports instead of a binding: JavaScript copies
-//! values into and out of the memory.
+//! Runs the nets of an ONNX file with tract. The wasm build has plain exports and no bindings: JavaScript copies values
+//! into and out of memory.
 
 use std::sync::Arc;
 
 use tract_onnx::prelude::*;
 
-/// Values of an image.
+/// Values in an image.
 pub const IMAGE: usize = 5 * 64 * 64;
 
 pub struct Nets(Arc<TypedRunnableModel>);
@@ -17,7 +17,7 @@ impl Nets {
         Ok(Nets(model.into_runnable()?))
     }
 
-    /// Returns the maps of a scene, one after the other, from the images of the scene, one after the other.
+    /// Returns the maps of a scene, concatenated, from its images, also concatenated.
     pub fn imagine(&self, images: &[f32]) -> TractResult<Vec<f32>> {
         let mut inputs = tvec!();
         for image in images.chunks(IMAGE) {
@@ -35,12 +35,14 @@ impl Nets {
 mod exports {
     use super::{IMAGE, Nets};
 
-    /// Allocates this number of bytes; they are never freed.
+    /// Allocates `bytes` bytes, which are never freed.
     #[unsafe(no_mangle)]
     pub extern "C" fn room(bytes: usize) -> *mut u8 {
         Box::leak(vec![0_u128; bytes.div_ceil(16)].into_boxed_slice()).as_mut_ptr().cast()
     }
 
+    /// Loads the nets from an ONNX file.
+    ///
     /// # Safety
     /// `onnx` points to `length` bytes allocated by `room`.
     #[unsafe(no_mangle)]
@@ -49,8 +51,10 @@ mod exports {
         Box::leak(Box::new(Nets::load(onnx).expect("tract reads the file")))
     }
 
+    /// Writes the maps of a scene to `maps`.
+    ///
     /// # Safety
-    /// `images` points to `count` images allocated by `room`, `maps` to as many values as there are in all maps.
+    /// `images` points to `count` images allocated by `room`, and `maps` to room for all values of all maps.
     #[unsafe(no_mangle)]
     pub unsafe extern "C" fn imagine(nets: &Nets, images: *const f32, count: usize, maps: *mut f32) {
         let images = unsafe { std::slice::from_raw_parts(images, count * IMAGE) };

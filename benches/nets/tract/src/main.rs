@@ -1,4 +1,4 @@
-//! The nets natively by tract, one thread: tract-nets ONNX IMAGE…. One implementation of `make bench`.
+//! Runs the nets natively with tract on one thread: tract-nets ONNX IMAGE…. One implementation of `make bench`.
 
 use std::{env, fs};
 
