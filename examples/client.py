@@ -1,4 +1,4 @@
-"""Plays two tasks with the model in the simulator, over JSON lines. Needs `pathlight` on the PATH, and Pathlight's folder.
+"""Plays two tasks with the model, over JSON lines. Needs `pathlight` on the PATH, and Pathlight's folder.
 
 To measure the agent in another simulator, replace the second process: it receives a ball and replies with the outcome.
 """

@@ -136,8 +136,8 @@ class ActionSimulator:
             action: x, y and radius in 0..1. None simulates the scene without a ball, which phyre cannot.
             need_images, need_featurized_objects: What to return in addition to the status.
             stride: Steps between observations, the first after step 1. A second has 60 steps.
-            stable: Also simulates a solution at the eight positions half a px away. The status is UNSTABLY_SOLVED if one of
-                them is valid and fails, else STABLY_SOLVED.
+            stable: Also simulates a solution at the eight positions half a px away. The status is UNSTABLY_SOLVED if
+                one of them is valid and fails, else STABLY_SOLVED.
             need_velocities, need_masks, need_contacts: Additions to phyre. Contacts take a second simulation.
 
         Raises:

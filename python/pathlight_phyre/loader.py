@@ -30,9 +30,10 @@ class Task:
         bodyId1, bodyId2: Indices of the object and its goal in the scene's bodies.
         relationships: The relation that solves the task: ``[6]``, touching.
         goal_text: The goal in one sentence.
-        scene: The scene: width and height (px), and bodies. The walls come first: bottom, left, top, right. A body has PHYRE's attributes: position.x and .y (px), angle (radians), bodyType (1 static, 2 dynamic),
-            color (its code), shapeType (0 for a wall, then the order of ``SHAPES``), and shapes relative to its position.
-            A shape has either a circle (radius, px) or a polygon (vertices with x and y, px); the other is None.
+        scene: The scene: width and height (px), and bodies. The walls come first: bottom, left, top, right. A body has
+            PHYRE's attributes: position.x and .y (px), angle (radians), bodyType (1 static, 2 dynamic), color (its
+            code), shapeType (0 for a wall, then the order of ``SHAPES``), and shapes relative to its position. A shape
+            has either a circle (radius, px) or a polygon (vertices with x and y, px); the other is None.
     """
 
     def __init__(self, task_id: str):

@@ -189,7 +189,7 @@ class Evaluator:
             return False
         task_id, made = self._task_ids[task_index], self.attempts_per_task_index[task_index]
         if made >= MAX_TEST_ATTEMPTS:
-            raise AssertionError(f"task {task_id} has had its {MAX_TEST_ATTEMPTS} attempts: continue with the next task")
+            raise AssertionError(f"task {task_id} has had {MAX_TEST_ATTEMPTS} attempts: continue with the next task")
         self._log.append((task_id, status))
         self.attempts_per_task_index[task_index] = made + 1
         return True

@@ -89,9 +89,9 @@ class Simulation:
     Additions to phyre:
         velocities: float32, (times, objects, 3): of the centre of mass, px/s, and angular, rad/s, in the last step.
         masks: uint8, (times, objects, 256, 256): 1 where the object is, even if another object hides it.
-        contacts: int64, (contacts, 4): two bodies, the first step in which they touch, and the first step after it in which
-            they do not. If they touch to the end, that is one more than the number of steps. Bodies are numbered: first
-            the objects, then the walls (bottom, left, top, right). Rows are in order of the first step.
+        contacts: int64, (contacts, 4): two bodies, the first step in which they touch, and the first step after it in
+            which they do not. If they touch to the end, that is one more than the number of steps. Bodies are numbered:
+            first the objects, then the walls (bottom, left, top, right). Rows are in order of the first step.
         steps: int64, (times,): the step after which each observation is made, from 1.
         touching: bool, (times,): whether the object touches its goal.
     """

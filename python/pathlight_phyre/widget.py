@@ -1,7 +1,7 @@
 """A puzzle to play in a notebook, with the paths and maps that the model imagines.
 
-Needs anywidget: ``pip install 'pathlight-phyre[widget]'``. Everything that the browser loads comes from this package, so it
-works without a network.
+Needs anywidget: ``pip install 'pathlight-phyre[widget]'``. Everything that the browser loads comes from this package,
+so it works without a network.
 """
 
 import pathlib

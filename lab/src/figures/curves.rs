@@ -37,7 +37,7 @@ pub fn draw(reports: &[Report]) -> Figure {
         name: "curves",
         title: "Tasks solved within k attempts",
         caption: "The share of the test tasks that each agent solves within k attempts, with the models on the page. \
-                  Each attempt is as wide as its weight in AUCCESS, so the area under a curve is the AUCCESS next to it."
+                  An attempt is as wide as its weight in AUCCESS, so the area under a curve is the AUCCESS next to it."
             .to_string(),
         numbers: numbers.collect::<Vec<_>>().join(" "),
         size: [reports.len() as f64 * PANEL[0], PANEL[1]],

@@ -80,11 +80,11 @@ fn table(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
     }
     writeln!(
         text,
-        "\nSimulator 4 reproduces PHYRE's physics to the bit; simulator 3 agreed with 98.8 % of its stable solutions. RAND \
-         plays one list of balls on all tasks. Ours scores as published, which shows that scenes, valid balls, physics, \
-         folds and metric are PHYRE's. The paper's means are over templates; averaged that way, ours are {} within and \
-         {} cross. An agent with a memory keeps what it learned at one test task for the next, as PHYRE's DQN-O does \
-         (56.2 cross): do not compare it with agents that start each task without one.",
+        "\nSimulator 4 reproduces PHYRE's physics to the bit; simulator 3 agreed with 98.8 % of its stable solutions. \
+         RAND plays one list of balls on all tasks. Ours scores as published, which shows that scenes, valid balls, \
+         physics, folds and metric are PHYRE's. The paper's means are over templates; averaged that way, ours are {} \
+         within and {} cross. An agent with a memory keeps what it learned at one test task for the next, as PHYRE's \
+         DQN-O does (56.2 cross): do not compare it with agents that start each task without one.",
         paper(setups, 0),
         paper(setups, 1)
     )
@@ -192,9 +192,9 @@ fn folds(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
 fn made(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
     writeln!(
         text,
-        "## How the results were made\n\nThe `pathlight-lab` commands that made each row, perhaps by an earlier recipe; {{of}} \
-         stands for `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median over folds and \
-         exclude work that other results share; results without them were made before they were counted."
+        "## How the results were made\n\nThe `pathlight-lab` commands that made each row, perhaps by an earlier recipe; \
+         {{of}} stands for `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median over folds \
+         and exclude work that other results share; results without them were made before they were counted."
     )?;
     for results in setups.iter().flat_map(|results| results.iter()) {
         let Some(report) = results.reports.first() else { continue };
