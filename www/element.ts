@@ -30,8 +30,8 @@ import type { App } from "./view/view.ts";
 /** The events of the element. All bubble. */
 export interface PathlightPuzzleEventMap extends HTMLElementEventMap {
   /**
-   * An attempt of the person has ended or was aborted. `task` is the digest of the scene if it is not a task; `number`
-   * counts from 1.
+   * An attempt of the person has ended, or was left before its end. `task` is the digest of the scene if it is not a
+   * task; `number` counts from 1.
    */
   attempt: CustomEvent<{ task: string; number: number; ball: Ball; solved: boolean }>;
   /** The model was loaded, unloaded or failed; `name` is its name, if it is loaded. */

@@ -103,7 +103,7 @@ export function problemsOf(scene: CustomScene): readonly SceneProblem[] {
   return known;
 }
 
-/** Whether none of a scene's problems concerns a body. */
+/** Whether none of a scene's problems concerns this body. */
 export function fits(scene: CustomScene, index: number): boolean {
   return problemsOf(scene).every(({ body, other }) => body !== index && other !== index);
 }

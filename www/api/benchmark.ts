@@ -152,8 +152,8 @@ export class Benchmark {
 
   /**
    * Draws the scene of a task on a square canvas, which it fills. With a valid ball, draws the given step of its
-   * rollout (fractions interpolate between steps) and the paths up to there, over `marks`: balls that are only
-   * outlined. Like all methods that draw, it works only in a browser.
+   * rollout (fractions interpolate between steps) and the paths up to there, over `marks`: balls that are only marked.
+   * Like all methods that draw, it works only in a browser.
    */
   paintScene(
     context: CanvasRenderingContext2D,

@@ -170,7 +170,7 @@ export class Pathlight extends Benchmark {
    * task or all 100 have been tried. Throws errors when the first value is taken.
    *
    * With a memory, the model uses what it learned from attempts at earlier puzzles, and remembers these attempts too.
-   * An attempt then names the puzzle that it recalled. Throws `bad_memory` for the memory of other weights, and
+   * An attempt then names the puzzle that the model recalled. Throws `bad_memory` for the memory of other weights, and
    * `bad_weights` if the weights have no dynamics net.
    */
   *turn(

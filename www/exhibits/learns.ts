@@ -57,7 +57,7 @@ function NOTHING(): State {
   return { ...nothing, kind: FIRST, said: "", failure: null };
 }
 
-/** Played puzzles are kept while the tab is open, even if another page is visited meanwhile. */
+/** Played puzzles are kept while the tab is open, even if a puzzle is opened meanwhile. */
 function kept(): Partial<State> {
   try {
     return JSON.parse(sessionStorage.getItem(KEY) ?? "{}");

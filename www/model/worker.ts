@@ -1,8 +1,8 @@
 // The nets and searches, off the main thread. `calls` declares each call once; the client takes its name, arguments,
 // updates and answer from here.
 //
-// The page sends { id, call, args }, and the worker answers with any number of { id, update }, then with one { id,
-// value } or { id, failure }. { cancel: id } ends a running call whose answer is no longer needed.
+// The page sends { id, call, args }. The worker answers with any number of { id, update }, then with one { id, value }
+// or { id, failure }. { cancel: id } ends a running call whose answer is no longer needed.
 
 import init, { Model, SolutionSearch, SolveMap, luck } from "../pkg/worker/pathlight.js";
 import { LoadError, loadError } from "./loading.ts";

@@ -49,7 +49,7 @@ export function picks({ store }: App): View {
   })}`;
 }
 
-/** The puzzle with the fewest bodies, a start for making one. */
+/** The puzzle with the fewest bodies, with which making a puzzle starts. */
 const EMPTIEST = "00000:000";
 
 function pick(state: State, task: string, title: string, hint: string, href = hrefOf(task)): View {

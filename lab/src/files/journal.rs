@@ -179,7 +179,7 @@ pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<
             Err(error) => bail!("line {number} of {name} is damaged ({error}): restore the file or make it again"),
         };
         if let Err(why) = entry.check() {
-            bail!("line {number} of {name} is invalid: {why}");
+            bail!("line {number} of {name} is invalid ({why}): restore the file or make it again");
         }
         contents.entries.push(entry);
         contents.ends.push(contents.ends.last().expect("the settings end somewhere") + length);

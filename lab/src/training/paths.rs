@@ -120,7 +120,11 @@ impl Settings {
         );
         let mut chosen: Vec<Solution> =
             solutions.into_iter().filter(|solution| tasks.binary_search(&solution.task).is_ok()).collect();
-        ensure!(!chosen.is_empty(), "{name} holds no solutions of the training tasks of {}", self.fold);
+        ensure!(
+            !chosen.is_empty(),
+            "{name} holds no solutions of the training tasks of {}: name another file with --solutions",
+            self.fold
+        );
         chosen.sort_by_key(|solution| solution.task);
         let card = Card {
             setup: self.fold.setup,

@@ -88,7 +88,7 @@ function withKept(state: State, kept: Kept): State {
   return { ...state, kept, run: moved ? null : state.run };
 }
 
-/** Merges documents: the first history, then the rest of the second; choices of the first. Forgotten data stays so. */
+/** Merges two documents: histories, first before second; choices of the first. Forgotten attempts stay forgotten. */
 export function merged(one: Kept, other: Kept): Kept {
   const puzzles = { ...one.puzzles };
   for (const [key, puzzle] of Object.entries(other.puzzles))

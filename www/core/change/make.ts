@@ -39,7 +39,7 @@ export interface Making {
 export interface BodyDrag {
   readonly pointer: number;
   readonly grip: "move" | "size" | "turn";
-  /** From the pointer to the body's origin, px; for `turn`, first is from its direction to the angle, degrees. */
+  /** Offset to the body's origin, px; for `turn`, first is from the pointer's direction to the angle, degrees. */
   readonly offset: Point;
   /** The state to restore if the browser takes the pointer away. */
   readonly before: Pick<State, "make" | "run">;
