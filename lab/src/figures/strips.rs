@@ -106,8 +106,8 @@ pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
         caption: format!(
             "For each setup, the first test task of fold 0 that the agent solved at once, the first that it solved at \
              attempt {LATE} or later, and the first that it did not solve within {MAX_ATTEMPTS}. The maps show what \
-             the nets imagine before anything moves. The lines over them show the simulation: without a ball over the base \
-             path, with the shown ball over the target and action paths (IoU is their soft overlap), and the ball \
+             the nets imagine before anything moves. The lines over them show the simulation: without a ball over the \
+             base path, with the shown ball over the target and action paths (IoU is their soft overlap), and the ball \
              itself over the placement. The shown ball is the one that solved, or the first one; the dotted lines are \
              the paths that the dynamics net imagines for it."
         ),

@@ -192,9 +192,10 @@ fn folds(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
 fn made(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
     writeln!(
         text,
-        "## How the results were made\n\nThe `pathlight-lab` commands that made each row, perhaps by an earlier recipe; \
-         {{of}} stands for `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median over folds \
-         and exclude work that other results share; results without them were made before they were counted."
+        "## How the results were made\n\nThe `pathlight-lab` commands that made each row, perhaps by an earlier \
+         recipe; {{of}} stands for `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median \
+         over folds and exclude work that other results share; results without them were made before they were \
+         counted."
     )?;
     for results in setups.iter().flat_map(|results| results.iter()) {
         let Some(report) = results.reports.first() else { continue };
