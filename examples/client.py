@@ -1,6 +1,6 @@
-"""Lets the model play two tasks in the simulator, over JSON lines. Needs `pathlight` on the PATH, and Pathlight's folder.
+"""Plays two tasks with the model, over JSON lines. Needs `pathlight` on the PATH, and Pathlight's folder.
 
-To measure the agent in another simulator, replace the second process: it gets a ball and answers with the outcome.
+To measure the agent in another simulator, replace the second process: it receives a ball and replies with the outcome.
 """
 
 import json, subprocess

@@ -1,4 +1,4 @@
-// Lets the model solve a task, ball by ball: cargo run --release --example solve
+// Solves a task with the model, ball by ball: cargo run --release --example solve
 
 use std::error::Error;
 use std::fs;

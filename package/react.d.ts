@@ -1,6 +1,6 @@
 
-// scripts/build-package.mjs adds this to the declarations of the element: without React's types there is nothing
-// to extend, which TypeScript lets only a declaration file say.
+// scripts/build-package.mjs appends this to the declarations of the element. Without React's types there is nothing to
+// extend, and only a declaration file may ignore that.
 
 /** The attributes of the element in JSX. */
 export interface PuzzleAttributes extends Partial<
@@ -13,7 +13,7 @@ export interface PuzzleAttributes extends Partial<
   fill?: boolean;
   remember?: boolean;
   class?: string;
-  /** React 19 adds such listeners; in React 18 call `addEventListener`. */
+  /** React 19 adds these listeners; in React 18, call `addEventListener`. */
   onattempt?: (event: PathlightPuzzleEventMap["attempt"]) => void;
   onmodelchange?: (event: PathlightPuzzleEventMap["modelchange"]) => void;
   onstatechange?: (event: PathlightPuzzleEventMap["statechange"]) => void;

@@ -1,5 +1,5 @@
-// Puts a puzzle together: the store with its effects, the scene, and one frame loop, in which time passes, the document
-// is rendered and the scene is painted.
+// Assembles a puzzle: the store with its effects, the scene, and one frame loop that advances time, renders the
+// document and paints the scene.
 
 import { render } from "lit-html";
 import { startModel } from "./core/change/model.ts";
@@ -31,27 +31,27 @@ import type { ModelFiles } from "./model/shared.ts";
 import type { App } from "./view/view.ts";
 
 export interface Given {
-  /** What is rendered into; what stands there goes. */
+  /** The element to render into. Its content is replaced. */
   readonly root: HTMLElement | ShadowRoot;
-  /** Where keys are heard that are not the scene's alone. */
+  /** Where to listen for keys that are not only for the scene. */
   readonly keys: Document | ShadowRoot;
   readonly link: Link;
   readonly puzzle: Puzzle;
   readonly kept: Kept;
   readonly files: Files;
-  /** Without the header, in a page of somebody else. */
+  /** Embedded in another page, without the header. */
   readonly embedded: boolean;
   readonly language: Language;
-  /** Besides those of the model and the language. */
+  /** Effects in addition to those of the model and the language. */
   readonly effects: readonly Effect<State>[];
 }
 
-/** Where the files lie that are loaded beside the scripts. */
+/** Addresses of the files that are loaded in addition to the scripts. */
 export interface Files extends ModelFiles {
   readonly simulator: string;
 }
 
-/** `base`: the folder of the files, or a function that returns the address of each. */
+/** `base` is the folder of the files, or a function that returns the address of each. */
 export function filesAt(base: string | ((path: string) => string)): Files {
   const at = typeof base === "function" ? base : (path: string) => new URL(path, base).href;
   return {
@@ -62,7 +62,7 @@ export function filesAt(base: string | ((path: string) => string)): Files {
   };
 }
 
-/** A tab that slept goes on where it was, ms. */
+/** Longest time step, ms. A tab that slept resumes where it was. */
 const LONGEST_FRAME = 100;
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
@@ -78,10 +78,10 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     day: today(),
   });
   const text = await loadText(given.kept.language ?? given.language);
-  // A task of its own, so that neither this one nor the one before keeps the browser long.
+  // Start a new task, so that neither this one nor the previous one blocks the browser for long.
   await new Promise((resolve) => setTimeout(resolve));
   const { id } = given.puzzle.about;
-  // The home page names no puzzle, though one lies open there.
+  // The home page names no puzzle, although one is open on it.
   const isNamed = given.embedded || route.task !== null;
   const named = { ...route, task: isNamed ? id : null, scene: id === null ? route.scene : null };
   const first = start(named, given.puzzle, given.kept, device(), text, ball);
@@ -97,13 +97,13 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const root = given.root as HTMLElement;
   const rendering = keepingFocus(given.keys, stage.canvas);
   let frame = 0;
-  /** When the frame before was, while something plays. */
+  /** Time of the previous frame, while something plays. */
   let before: number | null = null;
 
   listen(stage, given.keys, store, signal);
   for (const query of [dark, still])
     query.addEventListener("change", () => store.change(setDevice, device()), { signal });
-  // A page that the browser kept goes on as if it had not been left, but for what was loading then.
+  // A page restored from the browser's cache continues as it was, but must load again what was loading.
   addEventListener("pageshow", ({ persisted }) => persisted && store.change(startModel), { signal });
   addEventListener("online", () => isOffline(store.state) && store.change(startModel), { signal });
   signal.addEventListener("abort", () => {
@@ -117,7 +117,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   void showRest();
   return app;
 
-  /** What the person sees first waits neither for the rest of the page nor for the model. */
+  /** The first view waits neither for the rest of the page nor for the model. */
   async function showRest(): Promise<void> {
     for (const parts of [2, 3] as const) {
       await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
@@ -138,10 +138,10 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   function draw(now: number): void {
     if (signal.aborted) return;
     const isPlaying = moves(store.state);
-    // Each advance is a change, which asks for the next frame.
+    // Each advance is a change, which schedules the next frame.
     if (isPlaying) store.change(tick, Math.min(Math.max(now - (before ?? now), 0), LONGEST_FRAME));
     before = isPlaying ? now : null;
-    // Without a step of time nothing has changed that would ask for the next frame.
+    // Without a time step nothing has changed that would schedule the next frame.
     if (moves(store.state)) schedule();
     rendering(store.state.sheet, () => render(page(app), root));
     const described = description(store.state);
@@ -160,7 +160,7 @@ function isOffline({ model }: State): boolean {
   return model.kind === "failed" && model.failure.code === "offline";
 }
 
-/** Why nothing can be shown, and what helps. */
+/** Explains why nothing can be shown, and what helps. */
 export async function explained(error: unknown, language: Language): Promise<string> {
   const { page } = await loadText(language);
   return page.failure(error instanceof LoadError ? error.failure : { code: "broken", reason: String(error) });

@@ -3,9 +3,9 @@
 //     <script type="module" src="…/element.js"></script>
 //     <pathlight-puzzle task="00007:008" layers="base" remember></pathlight-puzzle>
 //
-// Its attributes are the parts of a link, follow the person, and can be changed at any time; they are properties too.
-// Besides, `theme` is "light" or "dark", `fill` takes the height of its container, and `remember` keeps attempts and
-// choices in this browser (read once, when the puzzle is opened).
+// Its attributes are the parts of a link. They follow the person's actions, can be changed at any time, and are also
+// properties. In addition, `theme` is "light" or "dark", `fill` takes the height of the container, and `remember` keeps
+// attempts and choices in this browser (read once, when the puzzle is opened).
 
 import { follow, puzzleOf } from "./opening.ts";
 import { explained, filesAt, mount } from "./app.ts";
@@ -27,20 +27,20 @@ import type { Effect } from "./core/store.ts";
 import type { Ball } from "./pkg/page/pathlight.js";
 import type { App } from "./view/view.ts";
 
-/** The events of the element; all bubble. */
+/** The events of the element. All bubble. */
 export interface PathlightPuzzleEventMap extends HTMLElementEventMap {
   /**
-   * An attempt of the person's has ended, or was left. `task` is the digest of the scene if that is no task; `number`
-   * counts from 1.
+   * An attempt of the person has ended, or was left before its end. `task` is the digest of the scene if it is not a
+   * task; `number` counts from 1.
    */
   attempt: CustomEvent<{ task: string; number: number; ball: Ball; solved: boolean }>;
-  /** The model comes or goes; its name, if it is there. */
+  /** The model was loaded, unloaded or failed; `name` is its name, if it is loaded. */
   modelchange: CustomEvent<{ name: string | null; status: "off" | "loading" | "ready" | "failed" }>;
-  /** The person has changed what is shown: the attributes as they are now, null for those that are not set. */
+  /** The person has changed the view: the current attributes, null for those that are not set. */
   statechange: CustomEvent<Record<string, string | null>>;
 }
 
-/** Listeners know the events. */
+/** Types of event listeners. */
 export interface PathlightPuzzle {
   addEventListener<Type extends keyof PathlightPuzzleEventMap>(
     type: Type,
@@ -77,28 +77,28 @@ export class PathlightPuzzle extends HTMLElement {
 
   /**
    * The address of the folder that holds worker.js, pkg/ and assets/, or a function that returns the address of each of
-   * these files by its path; by default that of this script. Set it before an element is connected where the script has
-   * no address of its own, as in a blob.
+   * these files by its path; by default the folder of this script. Set it before an element is connected if the script
+   * has no address, as in a blob.
    */
   static base: string | ((path: string) => string) | null = null;
 
   /** The puzzle, "00007:008"; null for one that is new to person and model. */
   declare task: string | null;
-  /** A custom scene in place of a task, as its link holds it; null for none. */
+  /** A custom scene instead of a task, as in its link; null for none. */
   declare scene: string | null;
-  /** The panel beside the scene; null for "play". */
+  /** The panel next to the scene; null for "play". */
   declare panel: string | null;
-  /** The maps over the scene, with commas between them; null for none. */
+  /** The maps over the scene, separated by commas; null for none. */
   declare layers: string | null;
-  /** The step of the walkthrough in the panel "imagine"; null for all that the model imagines. */
+  /** The step of the walkthrough in the panel "imagine"; null for everything that the model imagines. */
   declare step: string | null;
   /** "presentation" for the scene and one sentence in large type; null for the whole puzzle. */
   declare view: string | null;
   /** The number of attempts to beat; null for none. */
   declare challenge: string | null;
-  /** The puzzles of a lesson in order, with commas between them; null for none. */
+  /** The puzzles of a lesson in order, separated by commas; null for none. */
   declare lesson: string | null;
-  /** The parts that are left out, with commas between them; null for none. */
+  /** The hidden parts, separated by commas; null for none. */
   declare hide: string | null;
   /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
   declare ball: string | null;
@@ -121,12 +121,12 @@ export class PathlightPuzzle extends HTMLElement {
   #root = this.attachShadow({ mode: "open" });
   #app: App | null = null;
   #leaving: AbortController | null = null;
-  /** Its attributes follow the state, and must not be taken for a wish. */
+  /** Whether attributes are being set from the state, which must not count as a request. */
   #isFollowing = false;
 
   connectedCallback(): void {
     if (this.#leaving) return;
-    // What was set before the element was defined hides the accessors.
+    // Properties set before the element was defined hide the accessors.
     for (const name of PROPERTIES) {
       if (!Object.hasOwn(this, name)) continue;
       const value = this[name];
@@ -141,7 +141,7 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   disconnectedCallback(): void {
-    // One that is moved within its page is connected again at once, and keeps its puzzle.
+    // An element that is moved within its page is reconnected at once and keeps its puzzle.
     queueMicrotask(() => {
       if (this.isConnected) return;
       this.#leaving?.abort();
@@ -154,19 +154,19 @@ export class PathlightPuzzle extends HTMLElement {
     const { store } = this.#app;
     if (name === "theme") return store.change(choose, { theme: themeOf(now) });
     const read = readParts(this.#parts()).link;
-    // The attribute that has been set last names the puzzle.
+    // The attribute set last names the puzzle.
     const link = name === "task" && now !== null ? { ...read, scene: null } : read;
     const { task, scene } = store.state.route;
     const isElsewhere = (link.task !== null && link.task !== task) || (link.scene !== null && link.scene !== scene);
     const named = (link.task ?? link.scene) ? link : { ...link, task, scene };
     if (!isElsewhere || name === "ball") return follow(store, named);
-    // What belongs to one puzzle does not go on to the next.
+    // Parts that belong to one puzzle do not carry over to the next.
     for (const part of ["ball", name === "task" ? "scene" : "task"] as const)
       if (part !== name) this.#write(part, null);
     follow(store, { ...named, ball: null });
   }
 
-  /** Puts the focus on the scene. */
+  /** Focuses the scene. */
   override focus(options?: FocusOptions): void {
     this.#app?.canvas.focus(options);
   }
@@ -221,7 +221,7 @@ export class PathlightPuzzle extends HTMLElement {
     this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
   }
 
-  /** Keeps the attributes as the state is. What they said before was no change of the person's. */
+  /** Keeps the attributes in sync with the state. Their initial values are not a change by the person. */
   #attributes(): Effect<State> {
     let begun = false;
     return {
@@ -239,14 +239,14 @@ export class PathlightPuzzle extends HTMLElement {
 
   #attempts(): Effect<State> {
     let before: State | null = null;
-    /** The number of the attempt whose outcome has not been told. */
+    /** The number of the attempt whose outcome has not been reported. */
     let running: number | null = null;
     return {
       needs: (state) => [state.puzzle, attempts(state).length, toldAttempts(state).length],
       run: ({ state }) => {
         const isElsewhere = before?.puzzle !== state.puzzle;
         const there = isElsewhere ? before : state;
-        // Attempts that come from other tabs are not the round that runs.
+        // Attempts from other tabs are not the current round.
         if (before && !isElsewhere && attempts(state).length > attempts(before).length)
           running = state.run?.round === attempts(state).length ? state.run.round : running;
         if (there && running !== null && (isElsewhere || running <= toldAttempts(state).length)) {
@@ -293,7 +293,7 @@ function themeOf(attribute: string | null): Theme | null {
   return attribute === "light" || attribute === "dark" ? attribute : null;
 }
 
-// Each part of a link is a property.
+// Checks that each part of a link is a property.
 ({}) as PathlightPuzzle satisfies Record<keyof Link, string | null>;
 
 if (!customElements.get("pathlight-puzzle")) customElements.define("pathlight-puzzle", PathlightPuzzle);

@@ -1,5 +1,5 @@
-// Runs before the first picture: in which language and colours, whether the address names a puzzle, and whether it is
-// the first that is played. Without it the English home page is seen for a moment. main.js decides.
+// Runs before the first paint: sets the language and theme, whether the address names a puzzle, and whether it is the
+// first to be played. Without it, the English home page would flash. main.js has the final word.
 
 {
   const root = document.documentElement;
@@ -7,7 +7,7 @@
   try {
     kept = JSON.parse(localStorage.getItem("pathlight"));
   } catch {
-    // Nothing is kept, or the browser refuses.
+    // Nothing is stored, or the browser refuses access.
   }
   root.lang = kept?.language ?? (/^de\b/i.test(navigator.language) ? "de" : "en");
   if (kept?.theme) root.dataset.theme = kept.theme;

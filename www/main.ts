@@ -1,4 +1,4 @@
-// The page: opens what the address names, and keeps what is played.
+// The page: opens the puzzle that the address names, and stores attempts.
 
 import { follow, homeTask, puzzleOf } from "./opening.ts";
 import { explained, filesAt, mount } from "./app.ts";
@@ -22,7 +22,7 @@ async function run(root: HTMLElement): Promise<void> {
   const forever = new AbortController().signal;
   const kept = readKept();
   const language = languageOf(navigator.language);
-  // The texts come meanwhile.
+  // Load the texts meanwhile.
   void loadText(kept.language ?? language);
   await loadSimulator(files.simulator);
   const { link, unread } = readAddress(location.hash);

@@ -1,4 +1,4 @@
-// What a person asks for that needs more than a change of the state: another puzzle has to be opened.
+// Actions that need more than a change of the state: another puzzle has to be opened.
 
 import { endIntro } from "./core/change/home.ts";
 import { making } from "./core/change/make.ts";
@@ -28,7 +28,7 @@ export function follow(store: Store<State>, link: Link): void {
   const task = link.task ?? homeTask(store.state.kept);
   if (link.task !== null && task === route.task) return store.change(routed, link);
   try {
-    // From the picture on the home page one goes on in the puzzle that lies open there.
+    // The puzzle in the picture on the home page is open already.
     store.change(opened, link, task === puzzle.about.id ? puzzle : openPuzzle(task));
   } catch {
     store.change(setNotice, { kind: "no_task", task });
@@ -39,13 +39,13 @@ async function followScene(store: Store<State>, link: Link, text: string): Promi
   const { route } = store.state;
   if (text === route.scene) return store.change(routed, { ...link, task: null });
   const puzzle = await puzzleOf(text);
-  // The person has gone on meanwhile.
+  // The person has moved on meanwhile.
   if (store.state.route !== route) return;
   if ("problem" in puzzle) store.change(setNotice, { kind: "bad_scene", ...puzzle });
   else store.change(opened, { ...link, task: null }, puzzle);
 }
 
-/** The puzzle of a link's text, or why there is none. */
+/** Reads the puzzle of a link's text, or why it is not playable. */
 export async function puzzleOf(text: string): Promise<Puzzle | BadScene> {
   const value = await readSceneText(text).catch(() => null);
   const scene = value as CustomScene;
@@ -54,12 +54,12 @@ export async function puzzleOf(text: string): Promise<Puzzle | BadScene> {
   return problem ? { problem: namedProblem(scene, problem) } : openPuzzle(scene);
 }
 
-/** Opens a custom puzzle that may be played. */
+/** Opens a playable custom puzzle. */
 export async function openScene(store: Store<State>, scene: CustomScene): Promise<void> {
   follow(store, { ...store.state.route, task: null, scene: await textOfScene(scene), ball: null });
 }
 
-/** The large button. */
+/** Handles the large button. */
 export function takeNextStep(store: Store<State>): void {
   switch (nextStep(store.state)) {
     case "try":
@@ -83,13 +83,13 @@ export function takeNextStep(store: Store<State>): void {
   }
 }
 
-/** A puzzle that is new to person and model. */
+/** Opens a puzzle that is new to person and model. */
 export function goNext(store: Store<State>): void {
   if (store.state.route.lesson.length) return goBy(store, 1);
   goTo(store, suggested(store.state));
 }
 
-/** The puzzle some places further in the list of all. */
+/** Opens the puzzle some places further in the list of all puzzles. */
 export function goBy(store: Store<State>, places: number): void {
   const { route, puzzle } = store.state;
   if (!canGoOn(store.state)) return;

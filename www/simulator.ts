@@ -1,4 +1,4 @@
-// The page's wasm: it simulates and paints, and knows no nets. The only user of pkg/page.
+// The page's wasm: simulates and paints, without nets. The only user of pkg/page.
 
 import init, {
   OpenPuzzle,
@@ -28,12 +28,12 @@ import type {
   View,
 } from "./pkg/page/pathlight.js";
 
-/** Its objects are freed with the puzzles that they belong to. */
+/** Wasm objects, freed with the puzzles that they belong to. */
 const handles = new WeakMap<Puzzle, OpenPuzzle>();
 
 let loading: Promise<void> | null = null;
 
-/** Loads the wasm, once for all puzzles of a page. Throws if it cannot be loaded; then it can be tried again. */
+/** Loads the wasm, once for all puzzles of a page. Throws if it cannot be loaded; loading can then be retried. */
 export function loadSimulator(url: string): Promise<void> {
   loading ??= load(url).catch((error) => {
     loading = null;
@@ -52,11 +52,11 @@ async function load(url: string): Promise<void> {
   }
 }
 
-/** Throws if there is no such task, or if the scene may not be played. */
+/** Opens a puzzle. Throws if there is no such task, or if the scene is not playable. */
 export function openPuzzle(source: Source): Puzzle {
   const open = new OpenPuzzle(source);
   const about = open.about();
-  // As a custom scene it is plain: without what else its JSON may hold.
+  // Converting it drops anything else in its JSON.
   const custom = customScene(source);
   const puzzle: Puzzle = {
     source: typeof source === "string" ? source : custom,
@@ -84,7 +84,7 @@ export function paint(
   handles.get(puzzle)!.paint(context, [...rollouts], view, maps);
 }
 
-/** Paints a custom scene as it is being made, also one that may not be played. */
+/** Paints a custom scene while it is being made, even if it is not playable. */
 export function paintMaking(
   context: CanvasRenderingContext2D,
   scene: CustomScene,
@@ -96,19 +96,19 @@ export function paintMaking(
 
 const problems = new WeakMap<object, SceneProblem[]>();
 
-/** Why a scene may not be played. */
+/** Returns why a scene is not playable. */
 export function problemsOf(scene: CustomScene): readonly SceneProblem[] {
   const known = problems.get(scene) ?? sceneProblems(scene);
   problems.set(scene, known);
   return known;
 }
 
-/** Are none of a scene's problems those of a body? */
+/** Whether none of a scene's problems concerns this body. */
 export function fits(scene: CustomScene, index: number): boolean {
   return problemsOf(scene).every(({ body, other }) => body !== index && other !== index);
 }
 
-/** A map as a picture, painted once. Its opacity is that of the values, so that what is unsure looks so. */
+/** Returns a map as a picture, painted once. Its opacity follows the values, so that uncertain places look faint. */
 export function mapPicture(name: MapName, values: Float32Array, dark: boolean): HTMLCanvasElement {
   return picture(pictures, values, dark, GRID_SIDE, (context) => paintMap(context, name, values, 1, dark));
 }
@@ -117,9 +117,9 @@ export function outcomesPicture(outcomes: Uint8Array, dark: boolean): HTMLCanvas
   return picture(pictures, outcomes, dark, SCENE_SIZE, (context) => paintOutcomes(context, outcomes, dark));
 }
 
-/** The scene of a puzzle, small. It is painted once the page has nothing more urgent to do. */
+/** Returns a small picture of a puzzle's scene. It is painted once the page has nothing more urgent to do. */
 export function thumbnail(task: string, dark: boolean, place: string): HTMLCanvasElement {
-  // An element can only be at one place.
+  // An element can be in one place only.
   const key = `${place} ${task} ${dark}`;
   const canvas = thumbnails.get(key) ?? document.createElement("canvas");
   if (!thumbnails.has(key)) {
@@ -139,7 +139,7 @@ const thumbnails = new Map<string, HTMLCanvasElement>();
 const unpainted: (() => void)[] = [];
 
 function later(work: (deadline?: IdleDeadline) => void): void {
-  // Not in every browser.
+  // Not supported by every browser.
   if ("requestIdleCallback" in self) requestIdleCallback(work, { timeout: 100 });
   else setTimeout(work, 20);
 }
@@ -152,7 +152,7 @@ function paintNext(deadline?: IdleDeadline): void {
 
 const known = new Map<Setup, Benchmark>();
 
-/** What is new in it to the model of a setup. */
+/** Facts about the benchmark's tasks, and which are new to the model of a setup. */
 export function benchmark(setup: Setup = "within"): Benchmark {
   const before = known.get(setup);
   if (before) return before;
@@ -170,7 +170,8 @@ export function rateOf(task: string): number {
 }
 
 /**
- * An attempt of a file, simulated again: what becomes of the ball today, and the key of its puzzle. Null if it is none.
+ * Simulates an attempt from a file again: returns the key of its puzzle and the new outcome. Null if it is not an
+ * attempt.
  */
 export function readAttempt({ task, scene, ball }: Partial<AttemptLine>): { key: string; line: AttemptLine } | null {
   try {
@@ -182,7 +183,7 @@ export function readAttempt({ task, scene, ball }: Partial<AttemptLine>): { key:
   }
 }
 
-/** By which attempts at a custom scene are kept; null if it may not be played. */
+/** Key under which attempts at a custom scene are kept; null if the scene is not playable. */
 export function digestOf(scene: CustomScene): string | null {
   try {
     return sceneDigest(scene);
@@ -191,7 +192,7 @@ export function digestOf(scene: CustomScene): string | null {
   }
 }
 
-/** A map over the scene, small. */
+/** Returns a small picture of a map over the scene. */
 export function mapTile(puzzle: Puzzle, name: MapName, values: Float32Array, dark: boolean): HTMLCanvasElement {
   return picture(tiles, values, dark, SCENE_SIZE, (context) => {
     paintThumbnail(context, puzzle.source, dark);
@@ -200,7 +201,7 @@ export function mapTile(puzzle: Puzzle, name: MapName, values: Float32Array, dar
   });
 }
 
-/** By their values; for light and dark. */
+/** Pictures by their values, for light and dark. */
 type Pictures = WeakMap<object, Map<boolean, HTMLCanvasElement>>;
 const tiles: Pictures = new WeakMap();
 const pictures: Pictures = new WeakMap();
@@ -226,7 +227,7 @@ function drawn(side: number, draw: (context: CanvasRenderingContext2D) => void):
   return canvas;
 }
 
-/** A pure function that keeps its last result. */
+/** Caches the last result of a pure function. */
 function latest<Result>(compute: (ball: Ball) => Result): (ball: Ball) => Result {
   let last: { ball: Ball; result: Result } | null = null;
   return (ball) => (last?.ball === ball ? last : (last = { ball, result: compute(ball) })).result;
@@ -234,7 +235,7 @@ function latest<Result>(compute: (ball: Ball) => Result): (ball: Ball) => Result
 
 const MOST_REMEMBERED = 16;
 
-/** A pure function that keeps its last results. */
+/** Caches the last results of a pure function. */
 function remembered<Result>(compute: (ball: Ball | null) => Result): (ball: Ball | null) => Result {
   const results = new Map<string, Result>();
   return (ball) => {

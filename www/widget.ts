@@ -1,13 +1,12 @@
-// The puzzle as a widget in a notebook, by anywidget: pathlight_phyre/widget.py of the Python package is its other
-// half.
+// The puzzle as a notebook widget, using anywidget. pathlight_phyre/widget.py of the Python package is the other half.
 //
-// A notebook runs this file from a blob and has no server to ask, so the files of the element come from Python, too, as
-// bytes in a message, once for all widgets of a page.
+// A notebook runs this file from a blob and has no server, so the element's files also come from Python, as bytes in a
+// message, once for all widgets of a page.
 
 import "./element.ts";
 import type { PathlightPuzzle, PathlightPuzzleEventMap } from "./element.ts";
 
-/** What anywidget gives: the traits of the widget, and messages to and from it. */
+/** The interface of anywidget: the traits of the widget, and messages to and from it. */
 interface Model {
   get(trait: "task"): string;
   get(trait: "ball"): number[] | null;
@@ -22,7 +21,7 @@ interface Model {
 
 type Received = (message: { files?: string[] }, bytes: DataView<ArrayBuffer>[]) => void;
 
-/** Not the class of this module: widgets have a module each, and the first of them defined the element. */
+/** Not the class of this module: each widget loads its own module, and the first of them defined the element. */
 const Puzzle = customElements.get("pathlight-puzzle") as typeof PathlightPuzzle;
 
 async function loadFiles(model: Model): Promise<void> {
@@ -50,7 +49,7 @@ function addressOf(name: string, bytes: DataView<ArrayBuffer>): string {
 async function render({ model, el }: { model: Model; el: HTMLElement }): Promise<() => void> {
   await loadFiles(model);
   const puzzle = document.createElement("pathlight-puzzle") as PathlightPuzzle;
-  // Keys are the puzzle's here: no shortcuts of JupyterLab.
+  // Keys go to the puzzle here, not to JupyterLab's shortcuts.
   puzzle.dataset.lmSuppressShortcuts = "true";
   const show = () => {
     puzzle.task = model.get("task");

@@ -1,15 +1,15 @@
-//! The research behind Pathlight: plain functions on plain settings, which report their progress through a trait.
+//! The research behind Pathlight: functions that take plain settings and report their progress through a trait.
 //!
-//! No module prints or takes arguments; `main.rs` and `commands/` do. The modules in order, each using only
-//! those above it (`tests/architecture` checks that):
+//! No module prints or parses arguments; `main.rs` and `commands/` do. Each module uses only those above it, which
+//! `tests/architecture` checks:
 //!
 //! | module | holds |
 //! | --- | --- |
-//! | `progress` | what a long piece of work tells whoever started it |
+//! | `progress` | the trait that receives the progress of long work |
 //! | `files` | journals that can be continued, JSON, weights |
-//! | `data` | what nets learn from: solutions, labelled balls, random scenes |
+//! | `data` | training data: solutions, labelled balls, random scenes |
 //! | `training` | the training runs of all nets, and publishing their weights |
-//! | `measure` | agents, forecasts and chances on test tasks; the simulator beside PHYRE's |
+//! | `measure` | measurements of agents, forecasts and chances on test tasks, and of the simulator against PHYRE's |
 //! | `reproduce` | the results: the recipe of each row, and the table |
 //! | `figures` | the results as SVG |
 

@@ -1,16 +1,16 @@
-//! What a long piece of work tells whoever started it. The binary shows it on standard error.
+//! Progress reports of long work. The binary shows them on standard error.
 
-/// Receives the progress of one piece of work after the other.
+/// Receives the progress of pieces of work, one at a time.
 pub trait Progress {
-    /// A piece of work of this many units begins.
+    /// Begins a piece of work of `total` units.
     fn begin(&mut self, total: u64);
 
-    /// Units of work were done; `so_far` describes what has come of all: "1200 rollouts".
+    /// Records finished units of work; `so_far` describes the result so far: "1200 rollouts".
     fn advance(&mut self, units: u64, so_far: String);
 
-    /// The piece of work is done.
+    /// Ends the piece of work.
     fn finish(&mut self, result: &str);
 
-    /// Something to know beside it.
+    /// Reports a message.
     fn say(&mut self, line: &str);
 }

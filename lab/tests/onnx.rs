@@ -1,5 +1,5 @@
-//! The ONNX graphs that `make bench` gives to other engines compute what our nets compute: every node is evaluated here
-//! by plain loops.
+//! The ONNX graphs that `make bench` runs in other engines compute the same as our nets: the test evaluates every node
+//! with plain loops.
 
 use std::collections::HashMap;
 use std::fs;
@@ -14,7 +14,7 @@ use prost::Message;
 #[path = "../../benches/nets/onnx.rs"]
 mod onnx;
 
-/// An array of four dimensions, or of fewer; the others are 1.
+/// An array of up to four dimensions.
 #[derive(Clone)]
 struct Array {
     shape: Vec<usize>,
@@ -139,7 +139,7 @@ fn split(input: &Array, sizes: &[f32], axis: usize) -> Vec<Array> {
     sizes.iter().map(&mut part).collect()
 }
 
-/// A convolution of stride 2, or a transposed one: every coarse cell meets the fine cells under its kernel.
+/// A convolution of stride 2, or a transposed one: every coarse cell is combined with the fine cells under its kernel.
 fn convolve(inputs: &[&Array], padding: usize, transposed: bool) -> Array {
     let [x, weight, bias] = inputs else { panic!("image, weight and bias") };
     let ([batch, channels, side, _], [_, fine_channels, kernel, _]) = (&x.shape[..], &weight.shape[..]) else {

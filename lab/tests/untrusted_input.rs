@@ -1,7 +1,7 @@
-//! What comes from outside, whatever it is: no panic, no hang, no more memory than stated, and a refusal says why.
+//! Untrusted input, whatever it is, causes no panic, no hang and no more memory than stated, and a refusal says why.
 //!
-//! Each fuzz target gets its corpus and mutations of it, for some seconds; PATHLIGHT_FUZZ_SECONDS sets how many each
-//! takes. `fuzz/run` looks further, led by coverage.
+//! Each fuzz target runs on its corpus and mutations of it for a few seconds; PATHLIGHT_FUZZ_SECONDS sets how many.
+//! `fuzz/run` searches further, guided by coverage.
 use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::thread;
@@ -19,13 +19,13 @@ mod untrusted;
 #[global_allocator]
 static ALLOCATOR: PeakAlloc = PeakAlloc;
 
-/// Most memory that an input of up to 20 kB takes, bytes. Weights take most: the file, and the nets twice.
+/// Maximum memory for an input of up to 20 kB, bytes. Weights take the most: the file, and the nets twice.
 const MOST_MEMORY: usize = 64 << 20;
 
-/// Longest time for one input.
+/// Maximum time for one input.
 const LONGEST: Duration = Duration::from_secs(20);
 
-/// What numbers of JSON break on.
+/// Tokens that JSON parsers are likely to break on.
 const TOKENS: [&str; 16] = [
     "null",
     "-1",
@@ -71,7 +71,7 @@ fn corpus(target: &str) -> Vec<Vec<u8>> {
     inputs
 }
 
-/// Inputs until the time is over: each is one of the corpus or of the last inputs, changed in up to four places.
+/// Yields inputs until time is up: each is one of the corpus, changed in up to four places.
 fn mutations(corpus: Vec<Vec<u8>>, seconds: f64) -> impl Iterator<Item = Vec<u8>> {
     let end = Instant::now() + Duration::from_secs_f64(seconds);
     let mut rng = Pcg64Mcg::seed_from_u64(16);
@@ -93,7 +93,7 @@ fn mutations(corpus: Vec<Vec<u8>>, seconds: f64) -> impl Iterator<Item = Vec<u8>
     })
 }
 
-/// Returns how many inputs a target was tried with.
+/// Runs a target on inputs; returns how many were tried.
 fn try_all(name: &str, target: untrusted::Target, inputs: impl Iterator<Item = Vec<u8>> + Send) -> usize {
     let (sender, receiver) = sync_channel(0);
     thread::scope(|scope| {

@@ -1,9 +1,8 @@
-"""The PHYRE benchmark for the Python of today.
+"""The PHYRE benchmark for current versions of Python.
 
-``import pathlight_phyre as phyre`` has the names of phyre 0.2.2 with their meanings, for the ball tier: its 2,500
-tasks, its folds and metric, and its physics, which Pathlight computes to the bit. ``install()`` makes ``import phyre``
-itself find this package. What phyre does not have is in ``ActionSimulator.simulate_actions``, ``.agents`` and
-``.environment``.
+``import pathlight_phyre as phyre`` provides the API of phyre 0.2.2 for the ball tier: its 2,500 tasks, its folds and
+metric, and its physics, reproduced to the bit. ``install()`` makes ``import phyre`` itself find this package.
+``ActionSimulator.simulate_actions``, ``.agents`` and ``.environment`` are additions to phyre.
 
 Lengths are in px of a scene of 256 x 256 px, y up; row 0 of an image is the bottom of the scene.
 """

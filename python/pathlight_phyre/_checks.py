@@ -1,4 +1,4 @@
-"""Checks of what callers pass, with errors that name the remedy."""
+"""Checks of arguments, with errors that name the remedy."""
 
 from typing import Any
 
@@ -8,9 +8,9 @@ BALL_TIER = "ball"
 
 
 def check_tier(tier: str) -> None:
-    """Raises ValueError unless the tier is the one that is there."""
+    """Raises ValueError unless the tier is the ball tier."""
     if tier != BALL_TIER:
-        raise ValueError(f"there is no action tier {tier!r} here: pathlight_phyre has PHYRE's ball tier alone, 'ball'")
+        raise ValueError(f"there is no action tier {tier!r}: pathlight_phyre only has PHYRE's ball tier, 'ball'")
 
 
 def action_of(action: Any) -> np.ndarray:
@@ -34,7 +34,7 @@ def actions_of(actions: Any) -> np.ndarray:
 def stride_of(stride: Any) -> int:
     """Returns a stride as an int."""
     if int(stride) != stride or stride < 1:
-        raise ValueError(f"a stride is a whole number of steps from 1, not {stride!r}: 60 is one second")
+        raise ValueError(f"a stride is a whole number of steps, at least 1, not {stride!r}: 60 steps are one second")
     return min(int(stride), 1_000_000)
 
 
@@ -44,5 +44,5 @@ def _numbers(values: Any, name: str) -> np.ndarray:
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} must be numbers: {error}") from None
     if np.isnan(array).any():
-        raise ValueError(f"{name} must be numbers, and there is a NaN: find out where it was computed")
+        raise ValueError(f"{name} must be numbers, but there is a NaN: find out where it was computed")
     return array

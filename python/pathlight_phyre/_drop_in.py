@@ -1,4 +1,4 @@
-"""Lets ``import phyre`` find this package, for code that must not change."""
+"""Makes ``import phyre`` find this package, for code that must not change."""
 
 import importlib
 import sys
@@ -16,7 +16,7 @@ MODULES = (
     "util",
     "vis",
 )
-"""The modules of phyre that are there."""
+"""The modules of phyre that this package provides."""
 
 
 def install() -> None:
@@ -27,7 +27,7 @@ def install() -> None:
     """
     own = importlib.import_module("pathlight_phyre")
     if sys.modules.get("phyre", own) is not own:
-        raise RuntimeError("phyre itself is imported already: call pathlight_phyre.install() before that")
+        raise RuntimeError("phyre itself is already imported: call pathlight_phyre.install() before importing it")
     sys.modules["phyre"] = own
     for name in MODULES:
         sys.modules[f"phyre.{name}"] = importlib.import_module(f"pathlight_phyre.{name}")

@@ -14,7 +14,7 @@ ActionLike = Union[Sequence[float], np.ndarray]
 
 
 class SimulationStatus(enum.IntEnum):
-    """What came of an action."""
+    """The outcome of an action."""
 
     NOT_SOLVED = -1
     INVALID_INPUT = 0
@@ -23,11 +23,11 @@ class SimulationStatus(enum.IntEnum):
     STABLY_SOLVED = 3
 
     def __str__(self) -> str:
-        """Returns its name in every Python; from 3.11 on, that of an IntEnum is a number."""
+        """Returns the name in every version of Python; from 3.11 on, an IntEnum returns its number."""
         return enum.Enum.__str__(self)
 
     def __format__(self, spec: str) -> str:
-        """Formats its number."""
+        """Formats the number."""
         return format(int(self), spec)
 
     def is_solved(self) -> bool:
@@ -35,7 +35,7 @@ class SimulationStatus(enum.IntEnum):
         return self > 0
 
     def is_stably_solved(self) -> bool:
-        """Whether the action is a stable solution; only simulations with ``stable=True`` say so."""
+        """Whether the action is a stable solution; only simulations with ``stable=True`` check that."""
         return self is SimulationStatus.STABLY_SOLVED
 
     def is_not_solved(self) -> bool:
@@ -48,7 +48,7 @@ class SimulationStatus(enum.IntEnum):
 
 
 class ActionSimulator:
-    """Tasks, and what actions do in them. A task is named by its index in ``task_ids``."""
+    """Simulates actions in tasks. A task is named by its index in ``task_ids``."""
 
     def __init__(
         self,
@@ -56,7 +56,7 @@ class ActionSimulator:
         action_mapper: str = "ball",
         no_goals: bool = True,
     ):
-        """Prepares tasks, given by their ids or as ``loader`` returns them.
+        """Loads tasks, given by their ids or as returned by ``loader``.
 
         Raises:
             ValueError: If a task or the action tier is unknown.
@@ -95,15 +95,15 @@ class ActionSimulator:
 
     @property
     def action_space_dim(self) -> int:
-        """The numbers of an action: x, y and radius."""
+        """The number of dimensions of an action: x, y and radius."""
         return 3
 
     def sample(self, valid_only: bool = True, rng: Optional[np.random.RandomState] = None) -> np.ndarray:
         """Draws an action uniformly, float64 (3,).
 
         Args:
-            valid_only: Draws until the ball lies inside the scene. It may overlap bodies.
-            rng: The generator; a new one with an arbitrary seed by default.
+            valid_only: Draws until the ball is inside the scene. It may still overlap bodies.
+            rng: The generator; by default a new one with an arbitrary seed.
         """
         rng = np.random.RandomState() if rng is None else rng
         while True:
@@ -112,7 +112,7 @@ class ActionSimulator:
                 return action
 
     def build_discrete_action_space(self, max_actions: int, seed: int = 1) -> List[np.ndarray]:
-        """Draws this many actions from a seed."""
+        """Draws ``max_actions`` actions from a seed."""
         rng = np.random.RandomState(seed=seed)
         return [self.sample(rng=rng) for _ in range(max_actions)]
 
@@ -133,16 +133,16 @@ class ActionSimulator:
 
         Args:
             task_index: Index in ``task_ids``.
-            action: x, y and radius in 0..1. None simulates the scene as it is, which phyre cannot.
-            need_images, need_featurized_objects: What to return beside the status.
-            stride: Steps between observations; the first follows step 1. A second has 60 steps.
-            stable: Also simulates a solution from the eight places half a px beside it: the status is STABLY_SOLVED
-                unless one of them is valid and fails, then UNSTABLY_SOLVED.
-            need_velocities, need_masks, need_contacts: What phyre does not return. Contacts take a second simulation.
+            action: x, y and radius in 0..1. None simulates the scene without a ball, which phyre cannot.
+            need_images, need_featurized_objects: What to return in addition to the status.
+            stride: Steps between observations, the first after step 1. A second has 60 steps.
+            stable: Also simulates a solution at the eight positions half a px away. The status is UNSTABLY_SOLVED if
+                one of them is valid and fails, else STABLY_SOLVED.
+            need_velocities, need_masks, need_contacts: Additions to phyre. Contacts take a second simulation.
 
         Raises:
             ValueError: If the action is not three numbers.
-            IndexError: If there is no such task.
+            IndexError: If there is no task with this index.
         """
         observed = self._scenes[task_index].simulate(
             None if action is None else tuple(action_of(action)),
@@ -175,7 +175,7 @@ class ActionSimulator:
         stride: int = DEFAULT_STRIDE,
         stable: bool = False,
     ) -> Tuple[SimulationStatus, Optional[np.ndarray]]:
-        """Returns status and images of ``simulate_action``. phyre deprecated it in 0.2.0."""
+        """Returns the status and images of ``simulate_action``. Deprecated in phyre 0.2.0."""
         simulated = self.simulate_action(task_index, action, need_images=need_images, stride=stride, stable=stable)
         return simulated.status, simulated.images
 
@@ -188,17 +188,17 @@ class ActionSimulator:
             stable: As in ``simulate_action``.
 
         Returns:
-            The numbers of their statuses, int8 (actions,).
+            The status numbers, int8 (actions,).
 
         Raises:
             ValueError: If the actions have another shape or are not numbers.
-            IndexError: If there is no such task.
+            IndexError: If there is no task with this index.
         """
         return self._scenes[task_index].statuses(actions_of(actions), stable)
 
 
 def initialize_simulator(task_ids: Sequence[str], action_tier: str) -> ActionSimulator:
-    """Returns the simulator of these tasks.
+    """Returns a simulator of these tasks.
 
     Raises:
         ValueError: If a task or the action tier is unknown.

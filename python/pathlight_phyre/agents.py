@@ -1,6 +1,6 @@
-"""The nets that the wheel holds, and the agent that proposes balls with them.
+"""The nets in the wheel, and the agent that proposes balls with them.
 
-phyre has no such module. Actions are float64, x, y and radius in 0..1.
+This module is an addition to phyre. Actions are float64: x, y and radius in 0..1.
 """
 
 import pathlib
@@ -13,7 +13,7 @@ from pathlight_phyre.action_simulator import SimulationStatus
 from pathlight_phyre.metrics import MAIN_EVAL_SETUPS, MAX_TEST_ATTEMPTS
 
 SMALLEST, LARGEST = 2, 32
-"""Radii of a ball, px."""
+"""Minimum and maximum radius of a ball, px."""
 
 
 class Proposals(NamedTuple):
@@ -22,17 +22,17 @@ class Proposals(NamedTuple):
     actions: np.ndarray
     """(balls, 3)"""
     chances: np.ndarray
-    """The chance of each to solve the task, 0..1, or NaN from nets that give none; (balls,)."""
+    """The chance of each ball to solve the task, 0..1, or NaN if the nets predict none; (balls,)."""
 
 
 class Model:
-    """Nets that imagine what happens in a task, and an agent that plays with them."""
+    """Nets that imagine paths in a task, and an agent that plays with them."""
 
     def __init__(self, eval_setup: str = "ball_within_template", weights: Union[str, pathlib.Path, None] = None):
         """Loads the shipped nets, which were trained on fold 0 of a setup, or a weights file of Pathlight.
 
         Raises:
-            ValueError: If the setup is unknown, or the file does not hold such nets.
+            ValueError: If the setup is unknown, or the file does not contain such nets.
             OSError: If the file cannot be read.
         """
         if eval_setup not in MAIN_EVAL_SETUPS:
@@ -44,8 +44,9 @@ class Model:
         """Returns the maps that the nets predict for a task.
 
         Returns:
-            ``base``: where the green object goes on its own; ``target``: where it should go; ``action``: where the red
-            ball should go; ``placement``: where it should start. Each float32, (64, 64), 0..1, row 0 at the bottom.
+            ``base``: the path of the green object without a ball; ``target``: the path that it should take; ``action``:
+            the path of the red ball; ``placement``: where the ball should start. Each float32, (64, 64), 0..1, row 0
+            at the bottom.
 
         Raises:
             ValueError: If the task is unknown.
@@ -62,7 +63,7 @@ class Model:
         return Proposals(actions_of_balls(balls[:, :3]), balls[:, 3])
 
     def agent(self, task_id: str, seed: int = 0) -> "Agent":
-        """Returns the agent at work on a task. It learns from its attempts.
+        """Returns an agent for a task, which learns from its attempts.
 
         Raises:
             ValueError: If the task is unknown.
@@ -70,7 +71,7 @@ class Model:
         return Agent(self._native.agent(_native.Scene(task_id), seed))
 
     def turn(self, task_id: str, seed: int = 0) -> List[Tuple[np.ndarray, SimulationStatus]]:
-        """Lets the agent play a task: until it is solved, or for 100 attempts.
+        """Plays a task with the agent until it is solved, or for 100 attempts.
 
         Returns:
             Action and status of each attempt.
@@ -93,21 +94,21 @@ class Model:
 
 
 class Agent:
-    """An agent at work on a task: asked for a ball, and told what came of it."""
+    """An agent for one task. It proposes balls and observes their outcomes."""
 
     def __init__(self, native: "_native.Agent"):
         self._native = native
 
     def propose(self) -> Optional[np.ndarray]:
-        """Returns the next action, (3,), whose ball is valid; None if there is no more."""
+        """Returns the next action, (3,), whose ball is valid; None if there are no more."""
         ball = self._native.propose()
         return None if ball is None else actions_of_balls(np.array(ball))
 
     def observe(self, status: SimulationStatus) -> None:
-        """Tells the agent what came of the action that it proposed last."""
+        """Reports the outcome of the last proposed action to the agent."""
         self._native.observe(SimulationStatus(status).is_solved())
 
 
 def actions_of_balls(balls: np.ndarray) -> np.ndarray:
-    """Returns the actions of balls, which are in px."""
+    """Converts balls, px, to actions."""
     return (balls - [0, 0, SMALLEST]) / [255, 255, LARGEST - SMALLEST]

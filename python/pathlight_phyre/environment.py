@@ -1,6 +1,6 @@
-"""PHYRE as a Gymnasium environment, ``pathlight_phyre/Phyre-v0``, which is registered when this module is imported.
+"""PHYRE as a Gymnasium environment, ``pathlight_phyre/Phyre-v0``. Importing this module registers it.
 
-An episode is a task, a step is an attempt. Needs gymnasium: ``pip install 'pathlight-phyre[gymnasium]'``.
+An episode is a task, and a step is an attempt. Needs gymnasium: ``pip install 'pathlight-phyre[gymnasium]'``.
 """
 
 from typing import Any, Dict, Optional, Sequence, Tuple
@@ -19,17 +19,17 @@ class PhyreEnv(gymnasium.Env):
 
     Observation: the scene before the attempt, uint8 colour codes 0..6, (256, 256), row 0 at the bottom.
     Action: x, y and radius of the ball, float32, 0..1.
-    Reward: 1 for a solution, else 0. A solution terminates the episode; 100 valid attempts, or 1,000 with the invalid
-    ones, truncate it. ``info`` has ``task_id``, ``status`` (a ``SimulationStatus``) and ``attempts``, the valid ones.
+    Reward: 1 for a solution, else 0. A solution terminates the episode; 100 valid attempts, or 1,000 including invalid
+    ones, truncate it. ``info`` has ``task_id``, ``status`` (a ``SimulationStatus``) and ``attempts`` (the valid ones).
     """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 1}
 
     def __init__(self, task_ids: Optional[Sequence[str]] = None, render_mode: Optional[str] = None):
-        """Takes tasks by their ids; all of the benchmark by default.
+        """Makes an environment of tasks, given by their ids; by default all of the benchmark.
 
         Raises:
-            ValueError: If there are no tasks, one is unknown, or there is no such render mode.
+            ValueError: If there are no tasks, or a task or the render mode is unknown.
         """
         self.task_ids = list(get_task_ids_in_tier("ball") if task_ids is None else task_ids)
         if not self.task_ids:
@@ -46,7 +46,7 @@ class PhyreEnv(gymnasium.Env):
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[np.ndarray, Dict[str, Any]]:
-        """Begins a task: ``options={"task_id": ...}``, or a random one.
+        """Starts a task: ``options={"task_id": ...}``, or a random one.
 
         Raises:
             ValueError: If the task is unknown.
@@ -75,7 +75,7 @@ class PhyreEnv(gymnasium.Env):
         return self._observation(), float(solved), solved, ended and not solved, info
 
     def render(self) -> Optional[np.ndarray]:
-        """Returns the end of the last attempt, or the scene, as uint8 RGB, (256, 256, 3)."""
+        """Returns the end of the last attempt, or else the scene, as uint8 RGB, (256, 256, 3)."""
         return observations_to_uint8_rgb(self._shown) if self.render_mode else None
 
     def _observation(self) -> np.ndarray:

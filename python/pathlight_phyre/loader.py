@@ -9,16 +9,16 @@ from pathlight_phyre.creator.constants import SCENE_HEIGHT, SCENE_WIDTH
 from pathlight_phyre.simulation import COLORS, SHAPES
 
 TOUCHING = 6
-"""PHYRE's number of the relation that every ball task asks for."""
+"""PHYRE's number of the relation "touching", the goal of every ball task."""
 
 WALLS = 4
-"""Bodies of a scene that are its walls, before its objects."""
+"""Number of walls, which precede the objects in the bodies of a scene."""
 
 WALL_WIDTH = 5
 """Width of a wall, px."""
 
 UNDEFINED = "UNDEFINED"
-"""PHYRE's kind of a body that is none of ``SHAPES``: a wall."""
+"""PHYRE's shape type of a wall, which is none of ``SHAPES``."""
 
 
 class Task:
@@ -27,20 +27,20 @@ class Task:
     Attributes:
         taskId: Its id, such as ``'00007:008'``.
         tier: ``'BALL'``.
-        bodyId1, bodyId2: The object and its goal, by their indices in the scene's bodies.
-        relationships: What the object has to do: ``[6]``, touching.
-        goal_text: The goal as a sentence.
-        scene: The scene: width and height (px), and bodies, of which the walls come first: bottom, left, top, right.
-            A body has PHYRE's attributes: position.x and .y (px), angle (radians), bodyType (1 static, 2 dynamic),
-            color (its code), shapeType (0 a wall, from 1 on in the order of ``SHAPES``), and shapes about its position.
-            Of circle (radius, px) and polygon (vertices with x and y, px), a shape has one; the other is None.
+        bodyId1, bodyId2: Indices of the object and its goal in the scene's bodies.
+        relationships: The relation that solves the task: ``[6]``, touching.
+        goal_text: The goal in one sentence.
+        scene: The scene: width and height (px), and bodies. The walls come first: bottom, left, top, right. A body has
+            PHYRE's attributes: position.x and .y (px), angle (radians), bodyType (1 static, 2 dynamic), color (its
+            code), shapeType (0 for a wall, then the order of ``SHAPES``), and shapes relative to its position. A shape
+            has either a circle (radius, px) or a polygon (vertices with x and y, px); the other is None.
     """
 
     def __init__(self, task_id: str):
-        """Lays out the task of this id.
+        """Lays out the task with this id.
 
         Raises:
-            ValueError: If there is none.
+            ValueError: If there is no such task.
         """
         data: Dict[str, Any] = json.loads(_native.Scene(task_id).json())
         self.taskId = task_id
@@ -63,18 +63,18 @@ class Task:
 
 
 def load_compiled_task_list(task_ids: Sequence[str]) -> List[Task]:
-    """Returns the tasks of these ids, in their order.
+    """Returns the tasks with these ids, in the same order.
 
     Raises:
-        ValueError: If one is unknown, or if the ids are one text.
+        ValueError: If an id is unknown, or ``task_ids`` is a single string.
     """
     if isinstance(task_ids, str):
-        raise ValueError(f"task_ids are a list of ids, not one text: write [{task_ids!r}]")
+        raise ValueError(f"task_ids is a list of ids, not a string: write [{task_ids!r}]")
     return [Task(task_id) for task_id in task_ids]
 
 
 def load_compiled_task_dict() -> Dict[str, Task]:
-    """Returns all tasks by their ids."""
+    """Returns all tasks by id."""
     return {task_id: Task(task_id) for task_id in _native.task_ids()}
 
 

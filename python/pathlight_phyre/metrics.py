@@ -11,10 +11,10 @@ from pathlight_phyre.action_simulator import SimulationStatus
 from pathlight_phyre.util import stable_shuffle
 
 MAIN_EVAL_SETUPS: Tuple[str, ...] = ("ball_cross_template", "ball_within_template")
-"""The evaluation setups: new templates, and new tasks of known templates."""
+"""The evaluation setups: tests on new templates, and on new tasks of known templates."""
 
 MAX_TEST_ATTEMPTS: int = _native.MAX_ATTEMPTS
-"""Attempts that an agent has at a task."""
+"""Maximum number of attempts per task."""
 
 TRAIN_SHARE = 0.8
 AUCCESS_METRIC = "independent_solved_by_aucs"
@@ -23,7 +23,7 @@ SimulationStatusLike = Union[int, str, SimulationStatus]
 Metrics = Dict[str, Any]
 EvalSetup = List[Tuple[Sequence[str], Sequence[Sequence[str]]]]
 
-# The name under which phyre logs, so that filters of its warnings keep working.
+# phyre's logger name, so that filters of its warnings keep working.
 logger = logging.getLogger("phyre.metrics")
 
 
@@ -36,25 +36,25 @@ def eval_setup_to_action_tier(eval_setup_name: str) -> str:
     """Returns the action tier of an evaluation setup.
 
     Raises:
-        ValueError: If the setup is not of the ball tier.
+        ValueError: If the setup is not in the ball tier.
     """
     if not eval_setup_name.startswith(BALL_TIER):
-        raise ValueError(f"there is no evaluation setup {eval_setup_name!r} here: use one of {MAIN_EVAL_SETUPS}")
+        raise ValueError(f"there is no evaluation setup {eval_setup_name!r}: use one of {MAIN_EVAL_SETUPS}")
     return BALL_TIER
 
 
 def get_fold(eval_setup: str, seed: int) -> Tuple[Tuple[str, ...], Tuple[str, ...], Tuple[str, ...]]:
-    """Returns the ids of a fold, each part sorted: train, dev, test.
+    """Returns the ids of a fold: train, dev, test, each sorted.
 
     Args:
-        eval_setup: Of ``MAIN_EVAL_SETUPS``.
-        seed: Which fold. The benchmark has 0..9; others up to 255 can be had.
+        eval_setup: One of ``MAIN_EVAL_SETUPS``.
+        seed: Number of the fold. The benchmark has 0..9; values up to 255 give further folds.
 
     Raises:
         ValueError: If there is no such fold.
     """
     if eval_setup not in MAIN_EVAL_SETUPS:
-        raise ValueError(f"there is no evaluation setup {eval_setup!r} here: use one of {MAIN_EVAL_SETUPS}")
+        raise ValueError(f"there is no evaluation setup {eval_setup!r}: use one of {MAIN_EVAL_SETUPS}")
     if seed not in range(256):
         raise ValueError(f"there is no fold {seed!r}: the folds of the benchmark are 0 to 9")
     train, dev, test = _native.fold(eval_setup == "ball_cross_template", int(seed))
@@ -62,12 +62,12 @@ def get_fold(eval_setup: str, seed: int) -> Tuple[Tuple[str, ...], Tuple[str, ..
 
 
 def get_task_ids_in_tier(tier_name: str) -> List[str]:
-    """Returns the ids of all tasks of a tier, sorted; none for a tier that is not there."""
+    """Returns the ids of all tasks of a tier, sorted; empty for any tier but ``'ball'``."""
     return _native.task_ids() if tier_name.lower() == BALL_TIER else []
 
 
 def ball_single_instance(max_per_tpl: int = 10) -> EvalSetup:
-    """Returns a group for each task, nothing to train on, of up to ``max_per_tpl`` tasks of each template."""
+    """Returns one group, without training tasks, for each of up to ``max_per_tpl`` tasks per template."""
     of_template: Dict[str, List[str]] = defaultdict(list)
     for task_id in _native.task_ids():
         of_template[task_id.split(":")[0]].append(task_id)
@@ -79,7 +79,7 @@ def ball_single_instance(max_per_tpl: int = 10) -> EvalSetup:
 
 
 def ball_single_instance_tiny() -> EvalSetup:
-    """Returns ``ball_single_instance`` with one task of each template."""
+    """Returns ``ball_single_instance`` with one task per template."""
     return ball_single_instance(1)
 
 
@@ -94,10 +94,10 @@ def create_dev_set(eval_setup: EvalSetup, train_share: float = TRAIN_SHARE, seed
 
 
 def compute_metrics(raw_simulation_log: Sequence[Tuple[str, SimulationStatusLike]]) -> Metrics:
-    """Returns the metrics of attempts, as counts of tasks.
+    """Returns the metrics of attempts as counts of tasks.
 
     Args:
-        raw_simulation_log: Task and status of each attempt, in order. Invalid actions are no attempts.
+        raw_simulation_log: Task and status of each attempt, in order. Invalid actions do not count.
 
     Returns:
         ``independent_solved_by[k]``: tasks solved within k attempts, k in 0..100.
@@ -137,7 +137,7 @@ def compute_metrics(raw_simulation_log: Sequence[Tuple[str, SimulationStatusLike
 
 
 def normalize_metrics(metrics: Any, num_tasks: int) -> Any:
-    """Divides every number of metrics by the number of tasks."""
+    """Divides every number in metrics by the number of tasks."""
     if isinstance(metrics, dict):
         return {name: normalize_metrics(value, num_tasks) for name, value in metrics.items()}
     if isinstance(metrics, list):
@@ -146,7 +146,7 @@ def normalize_metrics(metrics: Any, num_tasks: int) -> Any:
 
 
 def compute_metrics_normalized(simulation_log: Sequence[Tuple[str, SimulationStatusLike]], num_tasks: int) -> Metrics:
-    """Returns the metrics of attempts, as shares of tasks."""
+    """Returns the metrics of attempts as shares of tasks."""
     metrics = compute_metrics(simulation_log)
     if metrics["total_attempts"] < MAX_TEST_ATTEMPTS * num_tasks:
         logger.warning(
@@ -158,10 +158,10 @@ def compute_metrics_normalized(simulation_log: Sequence[Tuple[str, SimulationSta
 
 
 class Evaluator:
-    """Counts attempts at tasks, and scores them.
+    """Counts and scores attempts at tasks.
 
     Attributes:
-        attempts_per_task_index: Attempts at each task so far.
+        attempts_per_task_index: Number of attempts at each task so far.
     """
 
     def __init__(self, task_ids: Sequence[str]):
@@ -182,24 +182,24 @@ class Evaluator:
         """Counts an attempt, unless the action was invalid. Returns whether it counted.
 
         Raises:
-            AssertionError: If the task had all its attempts already.
+            AssertionError: If the task has no attempts left.
         """
         status = _status(status)
         if status.is_invalid():
             return False
         task_id, made = self._task_ids[task_index], self.attempts_per_task_index[task_index]
         if made >= MAX_TEST_ATTEMPTS:
-            raise AssertionError(f"task {task_id} had its {MAX_TEST_ATTEMPTS} attempts: go on to the next task")
+            raise AssertionError(f"task {task_id} has had {MAX_TEST_ATTEMPTS} attempts: continue with the next task")
         self._log.append((task_id, status))
         self.attempts_per_task_index[task_index] = made + 1
         return True
 
     def get_attempts_for_task(self, task_index: int) -> int:
-        """Returns the attempts at a task so far."""
+        """Returns the number of attempts at a task so far."""
         return self.attempts_per_task_index[task_index]
 
     def compute_all_metrics(self) -> Metrics:
-        """Returns the metrics of ``compute_metrics``, as shares of the tasks."""
+        """Returns the metrics of ``compute_metrics`` as shares of the tasks."""
         return compute_metrics_normalized(self._log, len(self._task_ids))
 
     def get_auccess(self, attempts: int = MAX_TEST_ATTEMPTS) -> float:
@@ -207,7 +207,7 @@ class Evaluator:
         return self.compute_all_metrics()[AUCCESS_METRIC][attempts]
 
     def get_aucess(self, attempts: int = MAX_TEST_ATTEMPTS) -> float:
-        """Returns ``get_auccess``, whose name phyre once misspelt."""
+        """Returns ``get_auccess``, under the misspelt name that phyre once used."""
         return self.get_auccess(attempts)
 
 

@@ -1,4 +1,4 @@
-"""What a simulation returns."""
+"""The results of a simulation."""
 
 from typing import Any, List, Optional
 
@@ -9,11 +9,11 @@ COLORS = ("RED", "GREEN", "BLUE", "PURPLE", "GRAY", "BLACK")
 
 
 class FeaturizedObjects:
-    """Features of objects over time, objects of the scene first, the ball of the action last.
+    """Features of objects over time: first the objects of the scene, last the ball of the action.
 
     Attributes:
-        features: (times, objects, 14). By index: 0, 1 the centre of mass in widths of the scene; 2 the angle in turns;
-            3 the diameter in widths of the scene; 4..8 the shape, one-hot in the order of ``SHAPES``; 8..14 the colour,
+        features: (times, objects, 14). By index: 0, 1 the centre of mass in scene widths; 2 the angle in turns;
+            3 the diameter in scene widths; 4..8 the shape, one-hot in the order of ``SHAPES``; 8..14 the colour,
             one-hot in the order of ``COLORS``.
         xs, ys, angles: (times, objects).
         diameters: (objects,).
@@ -37,7 +37,7 @@ class FeaturizedObjects:
         """Wraps features.
 
         Raises:
-            ValueError: If they have another shape.
+            ValueError: If the features have another shape.
         """
         shape = np.shape(featurized_objects)
         if len(shape) != 3 or shape[-1] != self._NUM_FEATURES:
@@ -53,46 +53,46 @@ class FeaturizedObjects:
 
     @property
     def shapes(self) -> List[str]:
-        """The shape of each object, of ``SHAPES``."""
+        """The shape of each object, one of ``SHAPES``."""
         return [SHAPES[index] for index in np.argmax(self.shapes_one_hot, axis=1)]
 
     @property
     def colors(self) -> List[str]:
-        """The colour of each object, of ``COLORS``."""
+        """The colour of each object, one of ``COLORS``."""
         return [COLORS[index] for index in np.argmax(self.colors_one_hot, axis=1)]
 
     @property
     def num_objects(self) -> int:
-        """Objects, the ball of the action included."""
+        """Number of objects, including the ball of the action."""
         return self.features.shape[1]
 
     @property
     def num_user_inputs(self) -> int:
-        """Balls of an action: 0 or 1."""
+        """Number of balls of the action: 0 or 1."""
         return self.colors.count("RED")
 
     @property
     def num_scene_objects(self) -> int:
-        """Objects without the ball of the action."""
+        """Number of objects, excluding the ball of the action."""
         return self.num_objects - self.num_user_inputs
 
 
 class Simulation:
-    """The result of an action. What was not asked for is None, as is everything but the status of an invalid action.
+    """The result of an action. Values not requested are None; for an invalid action, all but the status are None.
 
     Attributes:
-        status: Its ``SimulationStatus``.
+        status: The ``SimulationStatus``.
         images: uint8 colour codes, (times, 256, 256), row 0 at the bottom: 0 white (the background), 1 red, 2 green,
             3 blue, 4 purple, 5 gray, 6 black.
-        featurized_objects: The ``FeaturizedObjects`` of the same times.
+        featurized_objects: The ``FeaturizedObjects`` at the same times.
 
-    phyre has none of these:
+    Additions to phyre:
         velocities: float32, (times, objects, 3): of the centre of mass, px/s, and angular, rad/s, in the last step.
-        masks: uint8, (times, objects, 256, 256): 1 where the object is, even if another hides it.
-        contacts: int64, (contacts, 4): two bodies, the first step in which they touch, and the first one after it in
-            which they do not, which is one more than the steps of the simulation if they touch to its end. Bodies are
-            the objects by their indices, then the walls: bottom, left, top, right. In the order of their beginnings.
-        steps: int64, (times,): the step that each observation follows, from 1.
+        masks: uint8, (times, objects, 256, 256): 1 where the object is, even if another object hides it.
+        contacts: int64, (contacts, 4): two bodies, the first step in which they touch, and the first step after it in
+            which they do not. If they touch to the end, that is one more than the number of steps. Bodies are numbered:
+            first the objects, then the walls (bottom, left, top, right). Rows are in order of the first step.
+        steps: int64, (times,): the step after which each observation is made, from 1.
         touching: bool, (times,): whether the object touches its goal.
     """
 

@@ -1,8 +1,8 @@
-"""The statuses of PHYRE's 100,000 actions in every task, simulated when they are asked for.
+"""The statuses of PHYRE's 100,000 actions in every task, simulated on demand.
 
-PHYRE offers these statuses as a download, 'the 100k cache'. Here a task is simulated the first time that it is asked
-for, on all cores, and kept in the user's cache folder. Whoever asks for fewer actions waits for fewer. An interrupted
-simulation goes on where it stopped. PHYRE's own file is read if it is there.
+PHYRE offers these statuses as a download, 'the 100k cache'. Here a task is simulated when it is first requested, on all
+cores, and its statuses are stored in the user's cache folder. Only the requested number of actions is simulated. An
+interrupted simulation continues where it stopped. PHYRE's own file is used if it exists.
 """
 
 import logging
@@ -26,17 +26,17 @@ PHYRE_CACHE_ENV = "PHYRE_CACHE_DIR"
 """Environment variable: the folder of PHYRE's caches, ~/.cache/phyre by default."""
 
 PATHLIGHT_CACHE_ENV = "PATHLIGHT_PHYRE_CACHE_DIR"
-"""Environment variable: the folder of the statuses that are simulated here, ~/.cache/pathlight-phyre by default."""
+"""Environment variable: the folder of the statuses simulated here, ~/.cache/pathlight-phyre by default."""
 
 SOLVED = int(SimulationStatus.SOLVED)
 INVALID = int(SimulationStatus.INVALID_INPUT)
 NOT_SOLVED = int(SimulationStatus.NOT_SOLVED)
 
 CHUNK = 2000
-"""Actions between two updates of the progress."""
+"""Number of actions between progress updates."""
 
 KEPT_EVERY = 10
-"""Chunks after which the statuses are written to the file."""
+"""Number of chunks between writes to the file."""
 
 logger = logging.getLogger("phyre.simulation_cache")
 
@@ -53,7 +53,7 @@ def get_partial_cache_folder(action_size: int) -> pathlib.Path:
 
 def get_default_100k_cache(tier: str) -> "SimulationCache":
     """Returns the statuses of PHYRE's 100,000 actions: PHYRE's own file if it is in ``get_cache_folder(100000)``, else
-    statuses that are simulated when they are asked for.
+    statuses simulated on demand.
 
     Raises:
         ValueError: If the tier is not ``'ball'``.
@@ -64,13 +64,13 @@ def get_default_100k_cache(tier: str) -> "SimulationCache":
 
 
 class SimulationCache:
-    """Statuses of a list of actions in tasks, from a file of phyre."""
+    """Statuses of a list of actions in tasks, from a phyre file."""
 
     def __init__(self, cache_dir: Union[str, pathlib.Path]):
-        """Reads the file in a folder. It needs joblib.
+        """Reads the file in a folder. Needs joblib.
 
         Raises:
-            ValueError: If there is no file.
+            ValueError: If the file does not exist.
             ImportError: If joblib is not installed.
         """
         path = pathlib.Path(cache_dir) / CACHE_FILE_NAME
@@ -99,15 +99,15 @@ class SimulationCache:
         return frozenset(self._statuses_per_task)
 
     def load_simulation_states(self, task_id: str) -> np.ndarray:
-        """Returns the numbers of the statuses of all actions in a task, int8 (actions,)."""
+        """Returns the status numbers of all actions in a task, int8 (actions,)."""
         return self._first_statuses(task_id, len(self))
 
     def get_sample(self, task_ids: Optional[Sequence[str]] = None, num_actions: Optional[int] = None) -> Dict[str, Any]:
         """Returns the statuses of the first actions in some tasks.
 
         Args:
-            task_ids: The tasks; all by default.
-            num_actions: How many actions; all by default.
+            task_ids: The tasks; by default all.
+            num_actions: The number of actions; by default all.
 
         Returns:
             ``task_ids`` as given, ``actions`` float32 (num_actions, 3), ``simulation_statuses`` int8 (tasks,
@@ -131,7 +131,7 @@ class SimulationCache:
 
 
 class _SimulatedCache(SimulationCache):
-    """Statuses that are simulated when they are asked for, and kept in files."""
+    """Statuses that are simulated on demand and stored in files."""
 
     def __init__(self) -> None:
         self._action_array = _native.actions()
@@ -184,23 +184,23 @@ def _cache_root() -> pathlib.Path:
 
 
 def _read(path: pathlib.Path, most: int) -> np.ndarray:
-    """Returns the statuses that a file holds; none if there is no usable file."""
+    """Returns the statuses in a file; empty if there is no usable file."""
     none = np.empty(0, np.int8)
     try:
         statuses = np.load(path, allow_pickle=False)
     except FileNotFoundError:
         return none
     except (OSError, ValueError, EOFError) as error:
-        logger.warning("%s is damaged and is made again: %s", path, error)
+        logger.warning("%s is damaged and will be simulated again: %s", path, error)
         return none
     if statuses.dtype != np.int8 or statuses.ndim != 1 or len(statuses) > most:
-        logger.warning("%s holds something else than statuses and is made again", path)
+        logger.warning("%s does not contain statuses and will be simulated again", path)
         return none
     return statuses
 
 
 def _write(path: pathlib.Path, statuses: np.ndarray) -> None:
-    """Keeps statuses in a file, as a whole or not at all."""
+    """Writes statuses to a file atomically."""
     draft = path.with_name(f"{path.name}.{os.getpid()}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -209,13 +209,13 @@ def _write(path: pathlib.Path, statuses: np.ndarray) -> None:
         os.replace(draft, path)
     except OSError as error:
         warnings.warn(
-            f"the statuses cannot be kept ({error}): set {PATHLIGHT_CACHE_ENV} to a folder that can be written",
+            f"the statuses cannot be stored ({error}): set {PATHLIGHT_CACHE_ENV} to a writable folder",
             stacklevel=2,
         )
 
 
 class _Progress:
-    """A line on standard error that says how far a simulation is, if a person watches."""
+    """Shows the progress of a simulation on standard error, if it is a terminal or a notebook."""
 
     def __init__(self, tasks: int):
         self._tasks = tasks

@@ -3,13 +3,13 @@
 from pathlight_phyre import _native
 
 DEFAULT_MAX_STEPS: int = _native.MAX_STEPS
-"""Steps of a simulation, unless the task is solved before."""
+"""Number of steps of a simulation, unless the task is solved earlier."""
 
 STEPS_FOR_SOLUTION: int = _native.GOAL_STEPS
-"""Steps for which the object has to touch its goal: three seconds."""
+"""Number of steps for which the object must touch its goal: three seconds."""
 
 DEFAULT_STRIDE: int = _native.DEFAULT_STRIDE
-"""Steps between two observations: one second."""
+"""Number of steps between observations: one second."""
 
 OBJECT_FEATURE_SIZE: int = _native.FEATURES
-"""Features of an object."""
+"""Number of features of an object."""

@@ -6,5 +6,5 @@ from pathlight_phyre import _native
 
 
 def stable_shuffle(strings: Iterable[str], salt: str = "") -> List[str]:
-    """Returns texts in an order that depends on nothing but the texts and the salt."""
+    """Shuffles texts in an order that depends only on the texts and the salt."""
     return _native.stable_shuffle(list(strings), salt)

@@ -1,4 +1,4 @@
-"""Colour codes as pictures."""
+"""Converts colour codes to pictures."""
 
 from typing import Optional, Sequence, Tuple
 
@@ -20,10 +20,10 @@ WAD_COLORS = np.array(
 """PHYRE's colour of each code, RGB."""
 
 SOLVE_STATUS_COLORS = np.array([[121, 6, 4], [11, 102, 35]], dtype=np.uint8)
-"""The colour of the line above a picture: not solved, solved."""
+"""Colours of the line above a picture: not solved, solved."""
 
 LINE = 5
-"""Height of that line and its margins, px."""
+"""Height and margins of that line, px."""
 
 
 def observations_to_uint8_rgb(
@@ -33,8 +33,8 @@ def observations_to_uint8_rgb(
 
     Args:
         scene: Colour codes, (height, width), row 0 at the bottom.
-        user_input: Pixels to be drawn red: column, row from the bottom.
-        is_solved: If given, a line of 5 px above the picture says so.
+        user_input: Pixels to draw red: column, row from the bottom.
+        is_solved: If given, a line of 5 px above the picture shows it.
     """
     picture = WAD_COLORS[np.asarray(scene).astype(np.intp)]
     height, width = picture.shape[:2]

@@ -1,7 +1,7 @@
-"""A puzzle to play in a notebook, with what the model imagines.
+"""A puzzle to play in a notebook, with the paths and maps that the model imagines.
 
-Needs anywidget: ``pip install 'pathlight-phyre[widget]'``. All that the browser loads comes from this package, so it
-works without a network.
+Needs anywidget: ``pip install 'pathlight-phyre[widget]'``. Everything that the browser loads comes from this package,
+so it works without a network.
 """
 
 import pathlib
@@ -19,17 +19,17 @@ _FILES = ("worker.js", "pkg/page/pathlight_bg.wasm", "pkg/worker/pathlight_bg.wa
 _WEIGHTS = "assets/within-0.safetensors"
 
 if not (_PAGE / "widget.js").exists():
-    raise ImportError("this build of pathlight_phyre has no widget: `make python` builds a wheel that has it")
+    raise ImportError("this build of pathlight_phyre has no widget: build a wheel with `make python`")
 
 
 class Puzzle(anywidget.AnyWidget):
-    """A puzzle. Traits follow the person who plays, and the puzzle follows the traits.
+    """A puzzle. Its traits follow the player, and the puzzle follows its traits.
 
     Attributes:
         task: The id of the task.
-        ball: The ball that is being placed: x, y, radius in whole px; None for none.
-        panel: What is beside the scene: ``'play'``, ``'imagine'``, ``'predict'`` or ``'data'``.
-        attempts: The person's attempts, each with ``task``, ``ball`` (px) and ``solved``.
+        ball: The ball being placed: x, y, radius in whole px; None if there is none.
+        panel: The panel next to the scene: ``'play'``, ``'imagine'``, ``'predict'`` or ``'data'``.
+        attempts: The player's attempts, each with ``task``, ``ball`` (px) and ``solved``.
     """
 
     _esm = _PAGE / "widget.js"
@@ -52,7 +52,7 @@ class Puzzle(anywidget.AnyWidget):
 
     @property
     def action(self) -> Optional[np.ndarray]:
-        """``ball`` as ``simulate_action`` takes it, float64, (3,); None if there is none."""
+        """``ball`` as an action for ``simulate_action``, float64, (3,); None if there is none."""
         return None if self.ball is None else actions_of_balls(np.array([self.ball], np.float64))[0]
 
     @traitlets.validate("task")

@@ -7,7 +7,7 @@ import pytest
 
 @pytest.fixture(autouse=True)
 def own_caches(tmp_path, monkeypatch):
-    """No test reads or writes the caches of the person who runs it."""
+    """Keeps tests away from the user's caches."""
     monkeypatch.setenv("PHYRE_CACHE_DIR", str(tmp_path / "phyre"))
     monkeypatch.setenv("PATHLIGHT_PHYRE_CACHE_DIR", str(tmp_path / "pathlight"))
 

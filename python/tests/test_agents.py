@@ -1,4 +1,4 @@
-"""The nets of the wheel, and the agent that plays with them."""
+"""The nets in the wheel, and the agent that plays with them."""
 
 import numpy as np
 import pytest

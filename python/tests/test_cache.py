@@ -1,4 +1,4 @@
-"""The statuses of PHYRE's actions, which are simulated when they are asked for."""
+"""The statuses of PHYRE's actions, simulated on demand."""
 
 import numpy as np
 import pytest
@@ -66,7 +66,7 @@ def test_a_damaged_file_is_made_again(cache, tmp_path, caplog):
     whole = cache.get_sample([TASK], 100)["simulation_statuses"]
     kept(tmp_path).write_bytes(b"nonsense")
     assert (cache.get_sample([TASK], 100)["simulation_statuses"] == whole).all()
-    assert "is made again" in caplog.text
+    assert "will be simulated again" in caplog.text
 
 
 def test_a_folder_that_cannot_be_written_is_named(cache, tmp_path):

@@ -1,4 +1,4 @@
-"""PHYRE's names, and how code that imports phyre finds them."""
+"""PHYRE's API, and how code that imports phyre finds it."""
 
 import subprocess
 import sys
@@ -36,7 +36,7 @@ def test_it_does_not_replace_phyre_itself():
     done = run(
         "import sys, types; sys.modules['phyre'] = types.ModuleType('phyre')\nimport pathlight_phyre as p; p.install()"
     )
-    assert "phyre itself is imported already" in done.stderr
+    assert "phyre itself is already imported" in done.stderr
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,7 @@ def test_auccess_weighs_early_solutions_more():
             assert evaluator.maybe_log_attempt(0, 1 if number == attempt else -1)
         scores.append(evaluator.get_auccess())
     assert scores == pytest.approx([1.0, 0.850, 0.501, 0.152], abs=1e-3)
-    with pytest.raises(AssertionError, match="go on to the next task"):
+    with pytest.raises(AssertionError, match="continue with the next task"):
         evaluator.maybe_log_attempt(0, -1)
     assert evaluator.get_attempts_for_task(0) == len(evaluator) == 100
 

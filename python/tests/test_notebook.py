@@ -1,4 +1,4 @@
-"""The example notebook runs, though nobody looks at it here."""
+"""Runs the example notebook, without looking at its pictures."""
 
 import pathlib
 

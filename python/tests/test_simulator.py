@@ -1,4 +1,4 @@
-"""What actions do, and what is returned of them."""
+"""Simulations of actions, and their results."""
 
 import multiprocessing
 
@@ -91,7 +91,7 @@ def test_a_failure_is_observed_17_times(simulator):
 
 @pytest.mark.parametrize("task", TASKS)
 def test_images_are_what_their_objects_look_like(task):
-    """As PHYRE's own tests ask: the features hold all that is seen."""
+    """As in PHYRE's own tests: the features determine the image."""
     simulator = phyre.initialize_simulator([task], "ball")
     statuses = simulator.simulate_actions(0, phyre.get_default_100k_cache("ball").action_array[:200])
     action = phyre.get_default_100k_cache("ball").action_array[int(np.argmax(statuses != 0))]
@@ -105,7 +105,7 @@ def test_images_are_what_their_objects_look_like(task):
 
 
 def test_a_ball_falls_as_gravity_says(simulator):
-    """In the first step by 9.8 m/s2, which is 58.8 px/s2, for a sixtieth of a second."""
+    """The acceleration is 9.8 m/s2, which is 58.8 px/s2; a step is a sixtieth of a second."""
     simulated = simulator.simulate_action(0, SOLUTION, need_velocities=True, stride=1)
     assert simulated.velocities[0, -1] == pytest.approx([0, -58.8 / 60, 0], abs=1e-2)
     assert simulated.velocities[9, -1] == pytest.approx([0, -58.8 / 6, 0], abs=1e-2)
@@ -129,7 +129,7 @@ def test_contacts_are_events_of_two_bodies(simulator):
 
 
 def test_a_status_prints_its_name_and_formats_as_a_number():
-    """As an IntEnum did in the Pythons that phyre knew."""
+    """As an IntEnum did in the versions of Python that phyre supported."""
     assert str(Status.NOT_SOLVED) == "SimulationStatus.NOT_SOLVED"
     assert f"{Status.NOT_SOLVED} {Status.SOLVED:02d}" == "-1 01"
 
@@ -175,7 +175,7 @@ def _statuses(actions):
 
 @pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="this system cannot fork")
 def test_a_forked_process_simulates_too(simulator):
-    """As the data loaders of PyTorch do."""
+    """Data loaders of PyTorch fork like this."""
     actions = phyre.get_default_100k_cache("ball").action_array[:300]
     expected = _statuses(actions)
     with multiprocessing.get_context("fork").Pool(2) as pool:
@@ -188,7 +188,7 @@ def test_a_forked_process_simulates_too(simulator):
         (lambda s: s.simulate_action(0, [0.5, float("nan"), 0.5]), "NaN"),
         (lambda s: s.simulate_action(0, [0.5, 0.5]), r"shape \(2,\)"),
         (lambda s: s.simulate_action(0, "abc"), "must be numbers"),
-        (lambda s: s.simulate_action(0, [0.5, 0.5, 0.1], stride=0), "from 1"),
+        (lambda s: s.simulate_action(0, [0.5, 0.5, 0.1], stride=0), "at least 1"),
         (lambda s: s.simulate_actions(0, np.zeros((3, 4))), r"\(3, 4\)"),
         (lambda s: phyre.initialize_simulator(["00000:999"], "ball"), "no ball task"),
         (lambda s: phyre.initialize_simulator(["nonsense"], "ball"), "no ball task"),

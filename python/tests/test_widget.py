@@ -1,4 +1,4 @@
-"""The Python half of the widget; tests/browser/widget.test.mjs plays the other in a browser."""
+"""The Python half of the widget; tests/browser/widget.test.mjs tests the other half in a browser."""
 
 import hashlib
 import json
@@ -16,7 +16,7 @@ def test_it_gives_back_what_the_person_placed():
     seen = []
     puzzle.observe(lambda change: seen.append(change.new), "ball")
     assert puzzle.action is None
-    # As it comes from the browser.
+    # As sent by the browser.
     puzzle.set_state({"ball": [100, 200, 17], "panel": "imagine"})
     assert seen == [(100, 200, 17)] and puzzle.panel == "imagine"
     assert _native.Scene("00002:007").ball(tuple(puzzle.action)) == pytest.approx([100, 200, 17])

@@ -1,14 +1,15 @@
-// What needs no weights: tasks and scenes, the simulator, solutions, verification, the figures, and drawing.
-// `Pathlight` of index.ts inherits it.
+// The part of the package that needs no weights: tasks and scenes, the simulator, solutions, verification, figures, and
+// drawing. `Pathlight` of index.ts extends it.
 
 import * as wasm from "../pkg/worker/pathlight.js";
 import { cleanUp, failure } from "./errors.ts";
 
-/** The scene that was painted last: its rollouts are kept for the next frames. */
+/** The last painted scene. Its rollouts are kept for the next frames. */
 let painted: { task: wasm.Puzzle; open: wasm.OpenPuzzle } | null = null;
 
 /**
- * The benchmark and its simulator. A task is named by its id; a custom scene, an object, takes the place of any task.
+ * The benchmark and its simulator. A task is named by its id; a custom scene, an object, can be passed instead of any
+ * id.
  */
 export class Benchmark {
   /** Returns the 25 templates, each with the ids of its 100 tasks. */
@@ -16,7 +17,7 @@ export class Benchmark {
     return wasm.templates();
   }
 
-  /** Returns the tasks of one of PHYRE's folds; `number`: 0 to 9. */
+  /** Returns the tasks of one of PHYRE's folds; `number` is 0 to 9. */
   fold(setup: wasm.Setup, number: number): wasm.Fold {
     return wasm.fold(setup, number);
   }
@@ -27,14 +28,13 @@ export class Benchmark {
   }
 
   /**
-   * Returns the share of uniform valid balls that solve each task, 0..1: of the first template's tasks in turn, then of
-   * the next template's.
+   * Returns the share of uniform valid balls that solve each task, 0..1, for all tasks in order, template by template.
    */
   solveRates(): Float64Array {
     return wasm.solveRates();
   }
 
-  /** Returns what a puzzle is: its id as a task, its name and digest as a custom scene, and its scene. */
+  /** Describes a puzzle: its id if it is a task, its name and digest if it is a custom scene, and its scene. */
   about(task: wasm.Puzzle): wasm.About {
     const open = new wasm.OpenPuzzle(task);
     try {
@@ -49,14 +49,15 @@ export class Benchmark {
     return this.about(task).scene;
   }
 
-  /** Returns a task in the form of custom scenes, in which it can be changed and played. */
+  /** Returns a task as a custom scene, which can be changed and played. */
   customScene(task: wasm.Puzzle): wasm.CustomScene {
     return wasm.customScene(task);
   }
 
   /**
-   * Returns reasons why a value cannot be played as a custom scene; an empty list if it can. Not all at once: one for
-   * each body, and overlaps only when nothing else is wrong. Takes a fraction of a millisecond, and never throws.
+   * Returns reasons why a value cannot be played as a custom scene; an empty list if it can. The list is not
+   * exhaustive: it has one problem per body, and overlaps only if nothing else is wrong. Takes a fraction of a
+   * millisecond and never throws.
    */
   sceneProblems(scene: unknown): wasm.SceneProblem[] {
     return wasm.sceneProblems(scene);
@@ -73,7 +74,7 @@ export class Benchmark {
   }
 
   /**
-   * Returns the image that the four nets see, `[5, 64, 64]`: the channels green object, blue goal, purple goal, gray
+   * Returns the input image of the four nets, `[5, 64, 64]`: the channels green object, blue goal, purple goal, gray
    * and black, each of zeros and ones, row 0 at the bottom.
    */
   raster(task: wasm.Puzzle): Float32Array {
@@ -86,16 +87,16 @@ export class Benchmark {
   }
 
   /**
-   * Simulates a task with a ball, or without one. An invalid ball is no error: its rollout has the status `invalid`.
+   * Simulates a task with a ball or without one. An invalid ball is not an error: its rollout has the status `invalid`.
    */
   simulate(task: wasm.Puzzle, ball: wasm.Ball | null = null): wasm.Rollout {
     return wasm.simulate(task, ball);
   }
 
   /**
-   * Maps where a ball of a radius, 2 to 32 px, solves a task. Tries one of the 64 x 64 cells each time the next value
-   * is asked for; a value is the fraction of the cells that has been tried, and `outcomes`, which returns a copy of the
-   * map at the time of the call, also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
+   * Maps where a ball of a given radius, 2 to 32 px, solves a task. Each value taken from the generator tries one of
+   * the 64 x 64 cells; the value is the fraction of cells tried so far. `outcomes` returns a copy of the current map,
+   * also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
    */
   *solveMap(
     task: wasm.Puzzle,
@@ -107,8 +108,8 @@ export class Benchmark {
   }
 
   /**
-   * Searches the whole action space for solutions. Tries one valid ball each time the next value is asked for; `found`
-   * returns what is known at the time of the call, also after the last value.
+   * Searches the whole action space for solutions. Each value taken from the generator tries one valid ball. `found`
+   * returns the current results, also after the last value.
    */
   *solutionSearch(task: wasm.Puzzle): Generator<{ found: () => wasm.FoundSolutions }, void, void> {
     const search = new wasm.SolutionSearch(task);
@@ -116,29 +117,29 @@ export class Benchmark {
   }
 
   /**
-   * Returns how many of the 27 balls within a pixel in x, y and radius may be placed, and how many of these solve. Few
-   * solve if the ball does so by luck.
+   * Returns how many of the 27 balls within a pixel in x, y and radius are valid, and how many of these solve. If few
+   * solve, the ball solves by luck.
    */
   luck(task: wasm.Puzzle, ball: wasm.Ball): wasm.Luck {
     return wasm.luck(task, ball);
   }
 
   /**
-   * Simulates a scene, with a ball if one is given, and returns the line that `pathlight verify` and `verifyAttempt`
+   * Simulates a scene, with a ball if one is given, and returns a line that `pathlight verify` and `verifyAttempt` can
    * check.
    */
   attemptLine(task: wasm.Puzzle, ball: wasm.Ball | null = null): wasm.AttemptLine {
     return wasm.attemptLine(task, ball);
   }
 
-  /** Simulates the attempt of a line again, and returns whether it is the same to the bit. Never throws. */
+  /** Repeats the simulation of an attempt, and returns whether it is the same to the bit. Never throws. */
   verifyAttempt(line: unknown): wasm.Verification {
     return wasm.verifyAttempt(line);
   }
 
   /**
-   * Returns PHYRE's auccess of an agent, 0..100. `firstSolved`: for each task the number, from 1, of the first attempt
-   * that solved it; null if none did.
+   * Returns PHYRE's auccess of an agent, 0..100. `firstSolved` holds for each task the number, from 1, of the first
+   * attempt that solved it, or null if none did.
    */
   auccess(firstSolved: (number | null)[]): number {
     return wasm.auccess(firstSolved);
@@ -150,9 +151,9 @@ export class Benchmark {
   }
 
   /**
-   * Draws the scene of a task so that it fills a square canvas; with a valid ball, at a step of what that leads to (a
-   * fraction lies between two steps), with the paths up to there, over `marks`, balls that are only marked. In a
-   * browser only, as all methods that draw.
+   * Draws the scene of a task on a square canvas, which it fills. With a valid ball, draws the given step of its
+   * rollout (fractions interpolate between steps) and the paths up to there, over `marks`: balls that are only marked.
+   * Like all methods that draw, it works only in a browser.
    */
   paintScene(
     context: CanvasRenderingContext2D,
@@ -172,7 +173,7 @@ export class Benchmark {
   }
 
   /**
-   * Draws a map into a canvas of 64 x 64 pixels, which the page scales up. The colours run from 0, which is
+   * Draws a map on a canvas of 64 x 64 pixels, to be scaled up by the page. The colours run from 0, which is
    * transparent, to `max`.
    */
   paintMap(
@@ -185,15 +186,13 @@ export class Benchmark {
   }
 }
 
-/** Other things than arrays would be read as memory of the wasm. */
+/** Anything but an array would be read as memory of the wasm. */
 function valuesOf(map: wasm.GridMap): wasm.GridMap {
   if (Array.isArray(map) || (ArrayBuffer.isView(map) && !(map instanceof DataView))) return map;
   throw failure("bad_map", "A map is an array of 64 x 64 numbers.");
 }
 
-/**
- * Advances a search by a step for each value, which reads what is known: at the time of the call, and after the end.
- */
+/** Advances a search by one step per value. The value reads the current results, also after the end. */
 function* stepping<Known>(search: { advance(): boolean; free(): void }, known: () => Known): Generator<() => Known> {
   let final: Known | null = null;
   try {

@@ -1,17 +1,16 @@
-// The files that come with the package: where they lie, and how they are read, by fetch or in Node from the disk.
+// The files that come with the package: where they are, and how they are read, with fetch or in Node from disk.
 //
-// Addresses are made only when a file is needed: a bundle that is imported from a blob has no address that others could
-// be relative to. Bundlers find a file by its literal address alone, which is relative to the bundle, not to this
-// module.
+// Addresses are computed only when a file is needed: a bundle imported from a blob has no address to resolve others
+// against. Bundlers find a file only by its literal address, relative to the bundle, not to this module.
 
 import models from "../../assets/model.json";
 import { failure } from "./errors.ts";
 import type { ErrorCode } from "./errors.ts";
 
-/** Called with the fraction of a file that has arrived, 0..1, or null if its size is unknown. */
+/** Called with the fraction of a file that has been loaded, 0..1, or null if its size is unknown. */
 export type OnProgress = (fraction: number | null) => void;
 
-/** The folder that holds the package's `pkg/` and `assets/`; null: where the package lies. */
+/** The folder that holds the package's `pkg/` and `assets/`; null for the package's own location. */
 export type Base = URL | string | null;
 
 export interface ModelEntry {
@@ -37,7 +36,7 @@ const REMEDIES: Record<Fault, string> = {
 
 interface What {
   readonly code: ErrorCode;
-  /** In a sentence: "Pathlight’s wasm". */
+  /** Name for use in a sentence: "Pathlight’s wasm". */
   readonly name: string;
 }
 
@@ -46,7 +45,7 @@ const WEIGHTS: What = { code: "no_weights", name: "The model’s weights" };
 
 const compiled = new Map<string, Promise<WebAssembly.Module>>();
 
-/** Compiles the wasm, that of an address once for all who ask. Rejects with `no_wasm`. */
+/** Compiles the wasm, once per address. Rejects with `no_wasm`. */
 export async function compileWasm(
   source: WebAssembly.Module | BufferSource | URL | string | undefined,
   base: Base,
@@ -77,16 +76,16 @@ async function compile(bytes: BufferSource, address: string): Promise<WebAssembl
   return checked(module, address);
 }
 
-/** Another wasm would be kept by the glue code, and all later calls would fail. */
+/** Refuses other wasm modules: the glue code would keep one, and all later calls would fail. */
 function checked(module: WebAssembly.Module, address: string): WebAssembly.Module {
   if (WebAssembly.Module.exports(module).some(({ name }) => name === "verifyAttempt")) return module;
   throw refused(WASM, "damaged", "it is another program", address);
 }
 
-/** Reads the weights of a model. Refuses those that are not what the list names. */
+/** Reads the weights of a model. Refuses files that differ from the list. */
 export async function readModel(entry: ModelEntry, base: Base, onProgress?: OnProgress): Promise<Uint8Array> {
   const address = modelAddress(entry, base);
-  // A damaged file is asked for once more, past all caches, which may hold the damage.
+  // Fetch a damaged file once more, bypassing all caches, which may hold the damage.
   for (const cache of ["default", "reload"] as const) {
     const bytes = await read(address, WEIGHTS, onProgress, entry.size, cache);
     if (((await sha256(bytes)) ?? entry.sha256) === entry.sha256) return bytes;
@@ -94,7 +93,7 @@ export async function readModel(entry: ModelEntry, base: Base, onProgress?: OnPr
   throw failure("bad_weights", `${address} is not the model “${entry.name}” of this version: it is damaged or old.`);
 }
 
-/** Reads weights at an address; in Node also a path. */
+/** Reads weights from an address; in Node, also from a path. */
 export function readWeights(address: URL | string, onProgress?: OnProgress): Promise<Uint8Array> {
   return read(addressOf(address), WEIGHTS, onProgress);
 }
@@ -105,7 +104,7 @@ function wasmAddress(base: Base): URL {
     : new URL("pkg/worker/pathlight_bg.wasm", addressOf(base));
 }
 
-/** The package holds the weights of the first model alone; a base may have others. */
+/** The package contains the weights of the first model only; a base may have others. */
 function modelAddress({ file }: ModelEntry, base: Base): URL {
   return base === null && file === MODELS[0]!.file
     ? here(WEIGHTS, () => new URL("./assets/within-0.safetensors", import.meta.url))
@@ -117,9 +116,9 @@ function here({ code, name }: What, make: () => URL): URL {
     const address = make();
     if (address.protocol !== "blob:" && address.protocol !== "data:") return address;
   } catch {
-    // Relative to an address that nothing can be relative to.
+    // This module's address cannot be resolved against.
   }
-  throw failure(code, `${name} cannot be found from here: say where, by load({ base: "https://…/" }).`);
+  throw failure(code, `${name} cannot be found from here: name its folder with load({ base: "https://…/" }).`);
 }
 
 async function read(
@@ -144,7 +143,7 @@ async function read(
     if (done) break;
     chunks.push(value);
     length += value.length;
-    // What a host compresses becomes longer than it says.
+    // Compressed responses are longer than their stated size.
     onProgress(whole && Math.min(length / whole, 1));
   }
   const bytes = new Uint8Array(length);
@@ -153,7 +152,7 @@ async function read(
     bytes.set(chunk, end);
     end += chunk.length;
   }
-  // Servers of single-page apps send their page in place of what is missing, some as the type that was asked for.
+  // Servers of single-page apps answer for missing files with their page, some with the requested type.
   if (/^\s*<(!|html)/i.test(new TextDecoder("latin1").decode(bytes.subarray(0, 16))))
     throw refuse("page", "the server answered with a page");
   return bytes;
@@ -167,7 +166,7 @@ function orRefuse<T>(promise: Promise<T>, refuse: (reason: string) => Error): Pr
   return promise.catch((error: Error) => Promise.reject(refuse(error.message)));
 }
 
-/** One without a scheme is relative to the page, or in Node to the working directory. */
+/** Resolves an address. Without a scheme, it is relative to the page, or in Node to the working directory. */
 function addressOf(address: URL | string): URL {
   if (address instanceof URL) return address;
   if (typeof address !== "string") throw failure("bad_data", `${address} is neither bytes nor an address.`);
@@ -176,16 +175,16 @@ function addressOf(address: URL | string): URL {
   try {
     return new URL(address, globalThis.location?.href);
   } catch {
-    throw failure("bad_data", `“${address}” is no address.`);
+    throw failure("bad_data", `“${address}” is not an address.`);
   }
 }
 
-/** A module of Node, or undefined elsewhere. It is no import, which a bundler would look for. */
+/** Returns a module of Node, or undefined elsewhere. Not an import, because bundlers would try to resolve it. */
 function nodeModule(name: string): any {
   return (globalThis as any).process?.getBuiltinModule?.(name);
 }
 
-/** In hexadecimal; null where it cannot be computed: browsers hash only on secure and local addresses. */
+/** Returns the hash in hexadecimal; null where browsers cannot hash: on addresses that are neither secure nor local. */
 async function sha256(bytes: BufferSource): Promise<string | null> {
   if (!globalThis.crypto?.subtle) return null;
   const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));

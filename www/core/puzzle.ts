@@ -1,5 +1,5 @@
-// An open puzzle as the core sees it: pure questions about balls. `simulator.ts` answers them by wasm, a test by a few
-// lines of its own.
+// An open puzzle as seen by the core: pure functions of balls. `simulator.ts` implements it with wasm, tests with a few
+// lines.
 
 import type {
   About,
@@ -13,20 +13,20 @@ import type {
 } from "../pkg/page/pathlight.js";
 
 export interface Puzzle {
-  /** The id of a task, or a custom scene: what the worker is asked about. */
+  /** The id of a task, or a custom scene: the form in which the worker takes it. */
   readonly source: Source;
-  /** By which attempts are kept: the id of the task, or the digest of the custom scene. */
+  /** Key under which attempts are kept: the id of the task, or the digest of the custom scene. */
   readonly key: string;
   readonly about: About;
   readonly scene: Scene;
   /** The scene in the form in which it can be changed. */
   readonly custom: CustomScene;
   whyInvalid(ball: Ball): InvalidBall | null;
-  /** The nearest ball of the same radius that may be placed, if one is not far away. */
+  /** The nearest valid ball of the same radius, unless it is far away. */
   nearestPlace(ball: Ball): Ball | null;
-  /** What a ball leads to; null: the scene alone. */
+  /** The rollout of a ball; null for the scene without a ball. */
   rollout(ball: Ball | null): RolloutFacts;
-  /** The real paths of that as masks. */
+  /** The paths of that rollout as masks. */
   pathMasks(ball: Ball | null): PathMasks;
   /** A path of the green object, x, y, x, y, … in px, as a mask. */
   sketchMask(path: Float64Array): Float32Array;

@@ -2,7 +2,7 @@
 
 import type { CustomScene } from "../pkg/page/pathlight.js";
 
-/** More characters than the JSON of a scene of the most bodies; nothing larger is unpacked. */
+/** Maximum number of characters, more than the JSON of the largest scene. Nothing larger is unpacked. */
 const MOST = 256_000;
 
 export async function textOfScene(scene: CustomScene): Promise<string> {
@@ -15,7 +15,7 @@ export async function textOfScene(scene: CustomScene): Promise<string> {
     .replaceAll("=", "");
 }
 
-/** Whatever a text holds: it may be no scene. Rejects if the text is damaged. */
+/** Reads any value from a text; it may not be a scene. Rejects if the text is damaged. */
 export async function readSceneText(text: string): Promise<unknown> {
   const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));

@@ -1,5 +1,5 @@
-// All that is known, as one value that is never changed in place. Each part is described in the file of change/ that
-// changes it. What follows from these parts is not stored, but computed in derived/.
+// The whole state as one value that is never changed in place. Each part is described in the file of change/ that
+// changes it. Derived values are not stored, but computed in derived/.
 
 import { NO_ANSWERS, MODEL_OFF } from "./change/model.ts";
 import { introOf } from "./change/home.ts";
@@ -22,39 +22,39 @@ import type { Ball } from "../pkg/page/pathlight.js";
 import type { Text } from "../text/text.ts";
 
 export interface State {
-  /** What the address names: a puzzle, a panel, the maps over the scene. */
+  /** The content of the address: a puzzle, a panel, the maps over the scene. */
   readonly route: Route;
   readonly puzzle: Puzzle;
   readonly placement: Placement;
-  /** What the scene plays; null while the ball is being placed. */
+  /** The run that the scene plays; null while the ball is being placed. */
   readonly run: Run | null;
   readonly speed: number;
   readonly model: Model;
-  /** What the worker has answered about this puzzle so far. */
+  /** The worker's answers about this puzzle so far. */
   readonly answers: Answers;
   /** The search for all solutions of one radius; null while it is not shown. */
   readonly check: Check | null;
   /** The path of the green object as the person predicts it. */
   readonly sketch: Sketch;
-  /** Does the walkthrough go on by itself? */
+  /** Whether the walkthrough advances automatically. */
   readonly touring: boolean;
   /** The puzzle as the person changes it; null until something is changed. */
   readonly make: Making | null;
   /** The show on the home page; null once the person plays. */
   readonly intro: Intro | null;
-  /** What has been recorded for the home page; null until it is there. */
+  /** The recording for the home page; null until it is loaded. */
   readonly recorded: Recorded | null;
-  /** What lies over the page. */
+  /** The sheet over the page. */
   readonly sheet: Sheet | null;
   readonly share: Share;
   readonly lesson: Lesson;
-  /** What the browser keeps. */
+  /** The document that the browser keeps. */
   readonly kept: Kept;
-  /** What the device asks for, unless the person has chosen otherwise. */
+  /** Settings of the device, which apply unless the person has chosen otherwise. */
   readonly device: Device;
-  /** A sentence for the person about something that went wrong. */
+  /** A message to the person about an error. */
   readonly notice: Notice | null;
-  /** The texts of the language. */
+  /** The texts of the current language. */
   readonly text: Text;
 }
 

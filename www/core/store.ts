@@ -1,10 +1,10 @@
-// Holds the state, and runs effects: outside work that depends on parts of the state. Knows neither what the state is
-// nor a browser.
+// Holds the state and runs effects: outside work that depends on parts of the state. Independent of the type of the
+// state and of the browser.
 
 export interface Effect<State> {
-  /** What the work depends on: it runs again whenever one of these is another. Null: there is nothing to do. */
+  /** Dependencies of the work, which runs again whenever one of them changes. Null if there is nothing to do. */
   needs(state: State): readonly unknown[] | null;
-  /** The signal is aborted once the needs have changed; work that is soon done may ignore it. */
+  /** Does the work. The signal is aborted once the needs have changed; short work may ignore it. */
   run(store: Store<State>, signal: AbortSignal): void | Promise<void>;
 }
 
@@ -23,13 +23,13 @@ export class Store<State> {
     return this.#state;
   }
 
-  /** Begins to run effects, and calls back after each change. */
+  /** Starts running effects, and calls back after each change. */
   start(onChange: () => void): void {
     this.#onChange = onChange;
     this.#changed();
   }
 
-  /** Replaces the state by what a pure function makes of it. */
+  /** Replaces the state by the result of a pure function of it. */
   change<Args extends unknown[]>(next: (state: State, ...args: Args) => State, ...args: Args): void {
     if (this.#stopped) return;
     const before = this.#state;
@@ -37,7 +37,7 @@ export class Store<State> {
     if (this.#state !== before) this.#changed();
   }
 
-  /** Aborts what runs. Answers that still come change nothing. */
+  /** Aborts running effects. Later answers change nothing. */
   stop(): void {
     this.#stopped = true;
     for (const runner of this.#runners) runner.stop();
@@ -49,7 +49,7 @@ export class Store<State> {
   }
 }
 
-/** Runs one effect: once at a time, and then only for the newest needs, however many there were meanwhile. */
+/** Runs one effect, one run at a time; then again only for the newest needs, however many changes there were. */
 class Runner<State> {
   #effect: Effect<State>;
   #store: Store<State>;

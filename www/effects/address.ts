@@ -9,7 +9,7 @@ import type { Link } from "../core/change/route.ts";
 import type { State } from "../core/state.ts";
 import type { Effect } from "../core/store.ts";
 
-/** One part of a link as text. `read` returns undefined for text that it does not understand. */
+/** One part of a link as text. `read` returns undefined for text that it cannot parse. */
 interface Codec<Value> {
   write(value: NonNullable<Value>): string;
   read(text: string): Value | undefined;
@@ -46,7 +46,7 @@ const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
   },
 };
 
-/** Some of the names, in their order. */
+/** A subset of the names, in order. */
 function someOf<Name extends string>(all: readonly Name[]): Codec<readonly Name[]> {
   return {
     write: (names) => all.filter((name) => names.includes(name)).join(),
@@ -58,17 +58,17 @@ function someOf<Name extends string>(all: readonly Name[]): Codec<readonly Name[
   };
 }
 
-/** The parts of a link, which are the attributes of the element too. */
+/** The parts of a link, which are also the attributes of the element. */
 export const LINK_PARTS = Object.keys(CODECS) as (keyof Link)[];
 
-/** A part of a link as text; null if it equals the start. */
+/** Returns a part of a link as text; null if it equals the default. */
 export function writePart(link: Link, part: keyof Link): string | null {
   const value = link[part];
   if (value === null || String(value) === String(START[part])) return null;
   return (CODECS[part] as Codec<unknown>).write(value);
 }
 
-/** Reads parts of a link; `unread`: those that are not understood, which change nothing. */
+/** Reads parts of a link. `unread` lists those that cannot be parsed and change nothing. */
 export function readParts(parts: Iterable<readonly [part: string, text: string]>): { link: Link; unread: string[] } {
   const link: Record<string, unknown> = { ...START };
   const unread: string[] = [];
@@ -89,7 +89,7 @@ export function readAddress(hash: string): { link: Link; unread: string[] } {
   return readParts(upToDate(partsOf(hash)));
 }
 
-/** The page with an address of its own that a link names; null if it names a puzzle, or the home page. */
+/** The separate page that a link names; null if it names a puzzle or the home page. */
 export function pageOf(hash: string): string | null {
   const parts = new Map(partsOf(hash));
   return parts.has("task") || parts.has("scene") ? null : (PAGES.get(parts.get("view") ?? "") ?? null);
@@ -103,9 +103,9 @@ function partsOf(hash: string): (readonly [part: string, text: string])[] {
   });
 }
 
-/** The open puzzle and all that is seen of it, as a link. */
+/** The open puzzle and its current view, as a link. */
 export function linkOf(state: State): Link {
-  // The picture on the home page is a puzzle that the address does not name.
+  // The puzzle in the picture on the home page is not named in the address.
   return { ...state.route, ball: isHome(state) ? null : state.placement.ball };
 }
 
@@ -113,10 +113,10 @@ export function addressOf(state: State): string {
   return writeAddress(linkOf(state));
 }
 
-/** Browsers refuse an address that changes with every move of a ball, ms. */
+/** Delay before the address changes, ms: browsers refuse to change it with every move of a ball. */
 const REST = 300;
 
-/** Another puzzle or panel is a step that "back" leads from; other changes are not. */
+/** Another puzzle or panel is a step for the back button; other changes are not. */
 export const addressEffect: Effect<State> = {
   needs: (state) => [addressOf(state)],
   async run({ state }, signal) {
@@ -124,7 +124,7 @@ export const addressEffect: Effect<State> = {
     if (address === (location.hash || "#")) return;
     const { link } = readAddress(location.hash);
     const { task, scene, panel, view } = state.route;
-    // A puzzle that is being changed stays one step.
+    // A puzzle being changed stays one step.
     const isOther = link.task !== task || (link.scene !== scene && (link.scene === null || state.make === null));
     if (isOther || link.panel !== panel || link.view !== view) return history.pushState(null, "", address);
     await rested(signal);
@@ -139,7 +139,7 @@ function rested(signal: AbortSignal): Promise<void> {
   });
 }
 
-/** For a sentence: a damaged link may have thousands of characters. */
+/** Shortens a text for a message: a damaged link may have thousands of characters. */
 function shortened(text: string): string {
   return text.length > 40 ? `${text.slice(0, 39)}…` : text;
 }

@@ -1,4 +1,4 @@
-// A result as a picture: 1200 x 630 pixels, the size that messengers and networks show whole.
+// A result as a picture: 1200 x 630 pixels, which messengers and social networks show uncropped.
 
 import { isDark } from "../core/derived/looks.ts";
 import { attempts } from "../core/derived/duel.ts";
@@ -13,7 +13,7 @@ const HEIGHT = 630;
 const MARGIN = 36;
 const SIDE = HEIGHT - 2 * MARGIN;
 const FONT = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", "Liberation Sans", sans-serif';
-/** Some browsers never answer, ms. */
+/** Timeout, ms: some browsers never answer. */
 const PATIENCE = 4000;
 
 export async function cardOf(state: State, patience = PATIENCE): Promise<Card> {
@@ -21,7 +21,7 @@ export async function cardOf(state: State, patience = PATIENCE): Promise<Card> {
   const context = canvas.getContext("2d");
   if (!context) return { kind: "none", why: "missing" };
   paintCard(context, state);
-  // Browsers that guard against being recognised give noise in place of what was painted.
+  // Browsers that block fingerprinting return noise instead of the painted pixels.
   const paper = context.getImageData(1, 1, 1, 1).data;
   const [red, green, blue] = colourOf(palette(state).paper);
   if (paper[0] !== red || paper[1] !== green || paper[2] !== blue) return { kind: "none", why: "noise" };
@@ -36,7 +36,7 @@ export async function cardOf(state: State, patience = PATIENCE): Promise<Card> {
 
 const palette = (state: State) => (isDark(state) ? DARK_PALETTE : LIGHT_PALETTE);
 
-/** Of "#rrggbb". */
+/** Parses "#rrggbb". */
 function colourOf(text: string): number[] {
   return [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16));
 }
@@ -73,7 +73,7 @@ function paintCard(context: CanvasRenderingContext2D, state: State): void {
   }
 }
 
-/** The scene, with the ball of the solution and its paths if the person wants to show them. */
+/** Paints the scene, with the ball of the solution and its paths if the person wants to show them. */
 function scene(state: State): HTMLCanvasElement {
   const canvas = Object.assign(document.createElement("canvas"), { width: SIDE, height: SIDE });
   const solution = state.share.withBall ? attempts(state).find(({ status }) => status === "solved") : undefined;
@@ -91,7 +91,7 @@ function scene(state: State): HTMLCanvasElement {
   return canvas;
 }
 
-/** The lines of a text that fit a width. */
+/** Breaks a text into lines that fit a width. */
 function wrapped(context: CanvasRenderingContext2D, words: string, width: number): string[] {
   const lines: string[] = [];
   for (const word of words.split(" ").filter(Boolean)) {

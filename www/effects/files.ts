@@ -9,11 +9,11 @@ import type { State } from "../core/state.ts";
 import type { Store } from "../core/store.ts";
 import type { AttemptLine } from "../pkg/page/pathlight.js";
 
-/** How long attempts are read before the page may answer the person, ms. */
+/** Time for reading attempts before the page may respond to the person, ms. */
 const SLICE = 30;
-/** Most bytes of a file of attempts, more than of a person at all puzzles. */
+/** Maximum size of a file of attempts, bytes: more than one person can produce. */
 const LARGEST = 2e7;
-/** Of the captions under a picture, px. */
+/** Height of the captions under a picture, px. */
 const CAPTION = 28;
 
 export function saveAttempts({ kept }: State): void {
@@ -24,7 +24,7 @@ export function saveTable(state: State): void {
   download(new File([attemptsTable(state)], `pathlight-${nameOf(state)}.csv`, { type: "text/csv" }));
 }
 
-/** The maps over the scene, side by side, named. */
+/** Saves the maps over the scene side by side, with captions. */
 export function saveMaps(store: Store<State>): void {
   const { puzzle, answers, text } = store.state;
   const names = MAPS.filter((name) => answers.maps?.[name]);
@@ -59,7 +59,7 @@ export async function openFile(store: Store<State>, file: File): Promise<void> {
   store.change(setNotice, { kind: "opened", added, found, unread });
 }
 
-/** Reads attempts by their puzzles. Each is simulated again, so that what is kept is true. */
+/** Reads attempts by puzzle. Each is simulated again, so that only true attempts are kept. */
 export async function attemptsOf(values: readonly unknown[], onProgress: (share: number) => void = () => {}) {
   const attempts: Record<string, AttemptLine[]> = {};
   let unread = 0;
@@ -83,6 +83,6 @@ function nameOf({ puzzle }: State): string {
 export function download(file: File): void {
   const url = URL.createObjectURL(file);
   Object.assign(document.createElement("a"), { href: url, download: file.name }).click();
-  // Once the browser has taken it.
+  // Wait until the browser has fetched it.
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }

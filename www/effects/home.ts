@@ -1,4 +1,4 @@
-// What has been recorded for the home page.
+// Loads the recording for the home page.
 
 import { setRecorded } from "../core/change/home.ts";
 import { answered } from "../core/change/model.ts";
@@ -7,7 +7,7 @@ import type { State } from "../core/state.ts";
 import type { Effect } from "../core/store.ts";
 import type { Recorded } from "../core/change/home.ts";
 
-/** The page stands without the recording, so nobody is told if it cannot be read; the next visit tries again. */
+/** The page works without the recording, so a failure is not reported; the next visit tries again. */
 export function recordedEffect(url: string): Effect<State> {
   return {
     needs: (state) => (isHome(state) ? [state.puzzle] : null),

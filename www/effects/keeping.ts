@@ -1,4 +1,4 @@
-// What the browser keeps: one document in its storage, shared by all tabs. What cannot be read of it is left out.
+// Keeps one document in the browser's storage, shared by all tabs. Unreadable parts are left out.
 
 import { NOTHING_KEPT, mergeKept, merged } from "../core/change/kept.ts";
 import { setNotice } from "../core/change/settings.ts";
@@ -20,7 +20,7 @@ export function readKept(): Kept {
   }
 }
 
-/** Takes what it understands of a document of this version. */
+/** Reads the valid parts of a document of this version. */
 export function keptFrom(document: any): Kept {
   if (document?.version !== NOTHING_KEPT.version) return NOTHING_KEPT;
   const { attempts, puzzles, forgotten, guess, alone, live, model, language, theme } = document;
@@ -39,7 +39,7 @@ export function keptFrom(document: any): Kept {
   };
 }
 
-/** Whether its scene may be played is asked where it is shown. */
+/** Does not check whether the scene is playable; that happens where it is shown. */
 function isKeptPuzzle(entry: [key: string, puzzle: any]): entry is [string, KeptPuzzle] {
   const [, puzzle] = entry;
   return Number.isFinite(puzzle?.changed) && (puzzle.scene === null || Array.isArray(puzzle.scene?.bodies));
@@ -55,14 +55,14 @@ export function linesFrom(lines: any): AttemptLine[] {
   return Array.isArray(lines) ? lines.filter((line) => line && isLine(line)).slice(0, ATTEMPT_LIMIT) : [];
 }
 
-/** Keeps what has changed since the start, together with what other tabs have kept meanwhile. */
+/** Stores changes since the start, merged with what other tabs have stored meanwhile. */
 export function keepingEffect(): Effect<State> {
   let stored: Kept | null = null;
   return {
     needs: ({ kept }) => [kept],
     run(store) {
       const { kept } = store.state;
-      // What the page began with is stored already, and what could not be read of it stays until something is new.
+      // The initial document is already stored. Unreadable parts of it stay until something changes.
       if (stored !== null && kept !== stored) write(store, kept);
       stored = kept;
     },
@@ -80,14 +80,14 @@ function write(store: Store<State>, kept: Kept): void {
   }
 }
 
-/** Browsers may delete what a page keeps, Safari after a week without a visit; some stay off it when they are asked. */
+/** Browsers may delete stored data, Safari after a week without a visit; some refrain if asked. */
 function askToStay(): void {
   // Firefox would ask the person, and deletes nothing unless the disk is full.
   const isFirefox = globalThis.CSS?.supports("-moz-appearance: none");
   if (!isFirefox) globalThis.navigator?.storage?.persist?.().catch(() => {});
 }
 
-/** Follows what other tabs keep. */
+/** Follows changes that other tabs store. */
 export function listenToOtherTabs(store: Store<State>, signal: AbortSignal): void {
   const onStorage = ({ key }: StorageEvent) => key === KEY && store.change(mergeKept, readKept());
   addEventListener("storage", onStorage, { signal });

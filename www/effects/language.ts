@@ -1,4 +1,4 @@
-// The language and the looks of the page: its texts are loaded when they are needed.
+// The language and theme of the page. Texts are loaded when they are needed.
 
 import { setNotice, setText } from "../core/change/settings.ts";
 import { isHome } from "../core/derived/home.ts";
@@ -17,7 +17,7 @@ export const languageEffect: Effect<State> = {
   },
 };
 
-/** Of the document, where the page is all of it. */
+/** Applies them to the document, if the page is the whole document. */
 export const documentEffect: Effect<State> = {
   needs: (state) => [theme(state), state.text, state.puzzle, isHome(state)],
   run({ state }) {

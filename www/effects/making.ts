@@ -1,4 +1,5 @@
-// The scene that is made becomes the puzzle once a gesture has ended. Puzzles as files: the JSON of one, or an array.
+// Turns the scene being made into the puzzle once a gesture has ended. Puzzle files hold the JSON of one puzzle or an
+// array.
 
 import { remade } from "../core/change/make.ts";
 import { namedProblem } from "../core/derived/bodies.ts";
@@ -20,7 +21,7 @@ export const makingEffect: Effect<State> = {
   },
 };
 
-/** More would freeze the page, bytes. */
+/** Maximum size of a file, bytes: more would freeze the page. */
 const MOST = 8e6;
 
 export function savePuzzle(scene: CustomScene, name: string): void {
@@ -29,7 +30,7 @@ export function savePuzzle(scene: CustomScene, name: string): void {
   setTimeout(() => URL.revokeObjectURL(url));
 }
 
-/** Reads the puzzles of a file, or the first that may not be played. */
+/** Reads the puzzles of a file; returns the first problem if one is not playable. */
 export async function readPuzzles(file: File): Promise<readonly CustomScene[] | BadScene> {
   const value =
     file.size > MOST

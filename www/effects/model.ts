@@ -1,4 +1,4 @@
-// What the worker is asked, as effects: each says on what its question depends.
+// Questions to the worker, as effects. Each effect lists what its question depends on.
 
 import { sought } from "../core/change/check.ts";
 import { isSettled, making } from "../core/change/make.ts";
@@ -15,7 +15,7 @@ import type { State } from "../core/state.ts";
 import type { Effect, Store } from "../core/store.ts";
 import type { ModelFiles } from "../model/shared.ts";
 
-/** How many futures fan out. */
+/** Number of futures that fan out. */
 const FUTURES = 40;
 
 export function modelEffects(files: ModelFiles): Effect<State>[] {
@@ -35,7 +35,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
   };
 
   const loading: Effect<State> = {
-    // Neither its progress nor its end begins it anew.
+    // Its progress and its end must not restart it.
     needs: ({ model, kept }) => (model.kind === "loading" ? [kept.model] : null),
     run: (store) => void shared(store.state).start(),
   };
@@ -52,7 +52,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
         try {
           return { turn: await clientOf(store).call("turn", [source, turnUpTo], signal), turnUpTo };
         } catch (error) {
-          // Nobody waits for a ball that will not come.
+          // Stop waiting for a ball that will not come.
           if (!signal.aborted) store.change(answered, key, { turnUpTo });
           throw error;
         }
@@ -66,7 +66,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       ask(store, async ({ source }) => ({ candidates: await clientOf(store).call("candidates", [source], signal) })),
   };
 
-  // Answered even if the ball has moved on meanwhile: otherwise there would be no guess before a drag ends.
+  // Keep the answer even if the ball has moved meanwhile: otherwise no guess would appear until a drag ends.
   const guess: Effect<State> = {
     needs: (state) => {
       const ball = questioned(state);
@@ -80,7 +80,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       }),
   };
 
-  // Of the scene that is being changed too; answered even if it has changed further meanwhile, as the guess is.
+  // Also for the scene being changed. Like the guess, the answer is kept even if the scene has changed meanwhile.
   const maps: Effect<State> = {
     needs: (state) => {
       const { scene } = making(state);
@@ -124,7 +124,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
       }),
   };
 
-  // Those of the first puzzle have been recorded, so that they need not wait for the weights.
+  // The futures of the first puzzle are recorded, so that they need not wait for the weights.
   const futures: Effect<State> = {
     needs: (state) =>
       isHome(state) && state.recorded?.scene.task !== state.puzzle.source ? ifReady(state, state.puzzle) : null,
@@ -135,7 +135,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
   return [following, loading, turn, futures, candidates, guess, maps, luck, solutions, search];
 }
 
-/** Keeps an answer about the open puzzle. A crash has been told already. */
+/** Stores an answer about the open puzzle. Crashes are already reported elsewhere. */
 async function ask(
   store: Store<State>,
   question: (puzzle: State["puzzle"]) => Promise<Partial<State["answers"]>>,

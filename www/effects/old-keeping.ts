@@ -1,6 +1,6 @@
-// What people have in their browser from before: attempts as JSON lines, an entry for each task and one for all custom
-// scenes, a list of custom puzzles, and whether the model's guess is shown. It is taken over once; then the old entries
-// go, with what can no longer be played: an attempt at a custom scene that had been deleted.
+// Imports data that earlier versions stored in the browser: attempts as JSON lines, one entry per task and one for all
+// custom scenes, a list of custom puzzles, and whether the model's guess is shown. It is imported once. The old entries
+// are then deleted, including attempts at deleted custom scenes, which can no longer be played.
 
 import { choose, keepPuzzles, openAttempts } from "../core/change/kept.ts";
 import { parsedLines } from "../core/derived/files.ts";
@@ -26,14 +26,14 @@ export async function takeOver(store: Store<State>): Promise<void> {
     if (localStorage.getItem(GUESS) === "off") store.change(choose, { guess: false });
     store.change(keepPuzzles, puzzles, 0);
     store.change(openAttempts, attempts);
-    // By then it has been kept.
+    // By then the new document has been stored.
     await new Promise((resolve) => setTimeout(resolve));
     const kept = readKept();
     const isKept = Object.keys(attempts).every((key) => kept.attempts[key]);
-    // Where there is no room for both, what is old stays.
+    // If there is no room for both, keep the old data.
     if (isKept) for (const key of keys) localStorage.removeItem(key);
   } catch (error) {
-    // A browser that forbids its storage has nothing to take over.
+    // A browser without storage has nothing to import.
     console.warn(error);
   }
 }
@@ -44,7 +44,7 @@ function oldPuzzles(text: string | null): Record<string, CustomScene> {
   return Object.fromEntries(entries.filter(([digest]) => digest !== null));
 }
 
-/** What is damaged cannot be taken over, but must not keep back the rest. */
+/** Damaged data is skipped, so that it does not block the rest. */
 function parsed(text: string | null): unknown {
   try {
     return JSON.parse(text ?? "null");
@@ -53,7 +53,7 @@ function parsed(text: string | null): unknown {
   }
 }
 
-/** The person's own attempts. Those at a custom scene named it by its digest. */
+/** The person's own attempts. Attempts at a custom scene named it by its digest. */
 function oldLines(text: string | null, puzzles: Record<string, CustomScene>): unknown[] {
   const own = [...parsedLines(text ?? "")].filter((line: any) => line?.by === undefined || line.by === "player");
   return own.map((line: any) => (typeof line?.scene === "string" ? { ...line, scene: puzzles[line.scene] } : line));

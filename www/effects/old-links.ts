@@ -1,4 +1,4 @@
-// Links that people have from before: each part opens what it named, or its closest successor.
+// Links of earlier versions: each part opens what it named, or its closest successor.
 
 import { HIDEABLE } from "../core/change/route.ts";
 
@@ -6,16 +6,16 @@ type Part = readonly [part: string, text: string];
 
 const has = (names: readonly string[], name: string) => names.includes(name);
 
-/** Panels by their former names. */
+/** Current panels by their former names. */
 const PANEL_NAMES = new Map([
   ["bend", "make"],
   ["compare", "play"],
   ["map", "imagine"],
 ]);
 const MAP_NAMES = new Map([["judge", "success"]]);
-/** What a lesson hid, and what hides it now; the rest is no part of the page any more. */
+/** Parts that a lesson hid, by their former names; other parts no longer exist. */
 const HIDDEN_NAMES = new Map([...PANEL_NAMES, ["forecast", "guess"], ["compare", "model"]]);
-/** The steps of the longer walkthrough that there was, and the nearest of today's. */
+/** Steps of a former, longer walkthrough, and the nearest current steps. */
 const STEP_NAMES = new Map([
   ["judge", "placement"],
   ["success", "placement"],
@@ -23,13 +23,13 @@ const STEP_NAMES = new Map([
   ["chosen", "run"],
   ["real", "run"],
 ]);
-/** Pages that have an address of their own now. */
+/** Parts that are now separate pages. */
 export const PAGES = new Map([
   ["results", "results.html"],
   ["learns", "learns.html"],
 ]);
 
-/** By part, what a text is now; a part that is not named here is as it was. */
+/** Updates the text of a part; parts not listed are unchanged. */
 const SUCCESSORS: Record<string, (text: string) => readonly Part[]> = {
   panel: (text) => [["panel", PANEL_NAMES.get(text) ?? text]],
   layers: (text) => [["layers", listOf(text, MAP_NAMES).join()]],
@@ -47,7 +47,7 @@ const SUCCESSORS: Record<string, (text: string) => readonly Part[]> = {
   proposal: () => [],
 };
 
-/** Brings the parts of a link up to date. Two lists of the same part become one. */
+/** Updates the parts of a link. Two lists for the same part are merged. */
 export function upToDate(parts: Iterable<Part>): Part[] {
   const found = new Map<string, string>();
   for (const [part, text] of parts) {

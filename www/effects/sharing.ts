@@ -1,4 +1,4 @@
-// What a person sends on: a link, words and a picture. The link comes first; nothing waits for the picture.
+// Sharing: a link, text and a picture. The link comes first; nothing waits for the picture.
 
 import { setLesson, setShare } from "../core/change/sheet.ts";
 import { PANELS, START } from "../core/change/route.ts";
@@ -24,7 +24,7 @@ export const cardEffect: Effect<State> = {
   },
 };
 
-/** The puzzle as a challenge: the link gives away neither the ball nor what the model thinks. */
+/** The puzzle as a challenge. The link reveals neither the ball nor what the model thinks. */
 export function shareAddress(state: State): string {
   const { solvedAt } = result(state);
   const link = { ...ownLink(state), challenge: solvedAt };
@@ -38,7 +38,7 @@ export function shareText(state: State): string {
   return text.share.message(text.puzzle.name(puzzle.about), found, isDaily ? device.day : null);
 }
 
-/** The tasks of a lesson as a person has written them, and what is written there that is none. */
+/** The tasks of a lesson as typed by a person, and the words that are not tasks. */
 export function lessonTasks(state: State): { tasks: string[]; wrong: string[] } {
   const written = state.lesson.tasks.split(/[\s,;]+/).filter(Boolean);
   const known = new Set(benchmark().tasks);
@@ -62,7 +62,7 @@ export function lessonAddress(state: State): string | null {
   return new URL(writeAddress(link), location.href).href;
 }
 
-/** Names the open puzzle, without anything that is seen of it. */
+/** A link to the open puzzle, without the current view. */
 function ownLink({ route, puzzle }: State): Link {
   return { ...START, task: puzzle.about.id, scene: route.scene };
 }
@@ -71,13 +71,13 @@ export const qrEffect: Effect<State> = {
   needs: (state) => (state.sheet === "lesson" ? [lessonAddress(state)] : null),
   async run(store, signal) {
     const address = lessonAddress(store.state);
-    // A module of its own, because few need it.
+    // Loaded separately, because few people need it.
     const { generate } = await import("lean-qr");
     let code: string | null = null;
     try {
       code = address && generate(address).toDataURL({ on: [0, 0, 0], off: [255, 255, 255], scale: 4 });
     } catch {
-      // Too long: the address works without it.
+      // Too long for a code; the address works without it.
     }
     if (!signal.aborted) store.change(setLesson, { code });
   },
@@ -92,7 +92,7 @@ export async function copy(store: Store<State>, text: string): Promise<void> {
   }
 }
 
-/** What the system's own sheet takes. */
+/** The data for the system's share sheet. */
 function shared({ state }: Store<State>): ShareData {
   const { card } = state.share;
   const words = { text: shareText(state), url: shareAddress(state) };

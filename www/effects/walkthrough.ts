@@ -1,4 +1,4 @@
-// The walkthrough goes on by itself, once what a step shows has come, and has been there for a while.
+// Advances the walkthrough automatically, once the content of a step has loaded and been shown for a while.
 
 import { tourOn } from "../core/change/walkthrough.ts";
 import { ended } from "../core/derived/run.ts";

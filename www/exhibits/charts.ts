@@ -8,14 +8,14 @@ import type { Played } from "./tries.ts";
 import type { Bin } from "./results-file.ts";
 import type { ExhibitText } from "../text/en/exhibits.ts";
 
-/** The size of the chart of balls, in its own units. */
+/** Size of the chart of balls, in its own units. */
 const WIDTH = 320;
 const HEIGHT = 150;
 const TICKS = [1, 3, 10, 30, 100];
-/** Least number of puzzles that have room. */
+/** Minimum number of puzzles on the axis. */
 const ROOM = 20;
 
-/** How many balls each puzzle took, and the trend of the last few. */
+/** Shows how many balls each puzzle took, and the trend of the last few. */
 export function ballsChart(all: readonly Played[], text: ExhibitText): TemplateResult {
   const room = Math.max(ROOM, Math.ceil(all.length / ROOM) * ROOM);
   const across = (index: number) => ((index + 0.5) * WIDTH) / room;
@@ -53,10 +53,10 @@ function mark(name: "learned" | "fresh", first: number | null, x: number, y: num
     : svg`<rect class=${name} x=${x - 2.8} y=${y - 2.8} width="5.6" height="5.6"></rect>`;
 }
 
-/** A share of fewer balls is chance. */
+/** With fewer balls, a share is due to chance. */
 const FEW = 10;
 
-/** Chance across, the share that solves upwards; on the diagonal both are the same. */
+/** Plots the predicted chance horizontally and the share that solves vertically; on the diagonal they are equal. */
 export function calibrationChart(
   bins: { readonly random: readonly Bin[]; readonly candidates: readonly Bin[] },
   text: ExhibitText,

@@ -1,5 +1,5 @@
-// What the exhibits share: pages of their own beside the page, which know the public package and nothing of the page
-// but its texts. Language and theme are handed on in the address: learns.html?lang=de&theme=dark.
+// Shared code of the exhibits: separate pages that use the public package and, from the main page, only its texts.
+// Language and theme are passed in the address: learns.html?lang=de&theme=dark.
 
 import { html, render } from "lit-html";
 import { loadExhibitText } from "../text/exhibits.ts";
@@ -21,12 +21,12 @@ export async function loadText(): Promise<ExhibitText> {
   const theme = asked.get("theme");
   document.documentElement.lang = language;
   if (theme) document.documentElement.dataset.theme = theme;
-  // What stands there until the texts have come.
+  // Remove the placeholder once the texts are loaded.
   page.replaceChildren();
   return text;
 }
 
-/** Renders an exhibit under its title, and the way back. */
+/** Renders an exhibit under its title, with a link back. */
 export function show(text: ExhibitText, title: string, body: TemplateResult): void {
   document.title = `${title} · Pathlight`;
   const whole = html`<main class="exhibit">

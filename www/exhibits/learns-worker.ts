@@ -1,17 +1,17 @@
-// Plays puzzles off the page's thread: with what is remembered, and without. The page sends { task, memory }; the
-// worker answers with any number of { arrived }, the fraction of the weights, then with a Game, or with { failure }.
+// Plays puzzles off the main thread, with a memory and without. The page sends { task, memory }. The worker answers
+// with any number of { arrived }, the loaded fraction of the weights, then with a Game or { failure }.
 
 import { load } from "pathlight";
 import type { Pathlight, TriedProposal } from "pathlight";
 
-/** That of fold 0 of the cross setup: it has seen 20 of the 25 kinds. */
+/** The model of fold 0 of the cross setup, which has seen 20 of the 25 kinds. */
 const MODEL = "cross-0";
 
 export interface Game {
   readonly task: string;
   readonly learned: TriedProposal[];
   readonly fresh: TriedProposal[];
-  /** What is remembered after it, as JSON. */
+  /** The memory after the game, as JSON. */
   readonly memory: string;
 }
 

@@ -1,5 +1,5 @@
-// "Watch it learn": the model plays puzzles of a kind that is new to it, one after the other, and remembers what each
-// ball taught. Beside it the same model plays without a memory. A worker plays one puzzle ahead of what is shown.
+// "Watch it learn": the model plays a sequence of puzzles of a kind that is new to it, and remembers what each ball
+// taught. Next to it the same model plays without a memory. A worker plays one puzzle ahead of the display.
 
 import { html, nothing } from "lit-html";
 import { load } from "pathlight";
@@ -12,27 +12,27 @@ import type { Pathlight } from "pathlight";
 import type { Answer, Game } from "./learns-worker.ts";
 import type { Played } from "./tries.ts";
 
-/** Puzzles that are played in a row. */
+/** Number of puzzles in a sequence. */
 const ROW = 20;
-/** How long the end of a puzzle is shown, s; under reduced motion it is all that is shown. */
+/** How long the end of a puzzle is shown, s. Under reduced motion, only the end is shown. */
 const PAUSE = 0.6;
 const STILL = 1.6;
-/** The kind that is chosen at first. */
+/** The kind that is selected at first. */
 const FIRST = "00015";
-/** More device pixels per CSS px than this are not worth their time. */
+/** Maximum number of device pixels per CSS px; more are not worth their time. */
 const MOST_PIXELS = 2;
 const KEY = "pathlight.learns";
 
 interface State {
   readonly kind: string;
-  /** What was played since all was forgotten, by kind. */
+  /** Puzzles played since everything was forgotten, by kind. */
   readonly played: Readonly<Record<string, readonly Played[]>>;
-  /** What it remembers, as JSON. */
+  /** The memory, as JSON. */
   readonly memory: string | null;
   readonly row: { readonly paused: boolean; readonly hurried: boolean } | null;
-  /** What the scenes show, and how long it has been shown, s. */
+  /** The game that the scenes show, and how long it has been shown, s. */
   readonly shown: { readonly game: Game; readonly time: number } | null;
-  /** The weights are on their way: the fraction that has arrived. */
+  /** The weights are loading; `part` is the fraction loaded. */
   readonly arriving: { readonly part: number | null } | null;
   readonly said: string;
   readonly failure: string | null;
@@ -57,7 +57,7 @@ function NOTHING(): State {
   return { ...nothing, kind: FIRST, said: "", failure: null };
 }
 
-/** What was played stays while the tab is open, also if a puzzle is looked at meanwhile. */
+/** Played puzzles are kept while the tab is open, even if a puzzle is opened meanwhile. */
 function kept(): Partial<State> {
   try {
     return JSON.parse(sessionStorage.getItem(KEY) ?? "{}");
@@ -74,7 +74,7 @@ function change(part: Partial<State>): void {
     try {
       sessionStorage.setItem(KEY, JSON.stringify({ kind, played, memory }));
     } catch {
-      // It lasts as long as the page, then.
+      // Then it is kept only as long as the page.
     }
   }
   view();
@@ -174,7 +174,7 @@ async function showGame(task: string, game: Game, signal: AbortSignal): Promise<
   await pass(still.matches ? STILL : PAUSE, signal);
 }
 
-/** Lets time pass in frames: not while it is paused, and none when it is hurried. */
+/** Advances time in frames: not while paused, and not at all when hurried. */
 function pass(seconds: number, signal: AbortSignal, onTime: (time: number) => void = () => {}): Promise<void> {
   return new Promise((resolve, reject) => {
     let time = 0;

@@ -1,12 +1,9 @@
-// assets/results.json, which `pathlight-lab publish results` writes: the measurements of the models on the page, and
-// beside them what others have published.
+// assets/results.json, written by `pathlight-lab publish results`: the measurements of the models on the page, and
+// published results for comparison.
 
 import type { Setup } from "pathlight";
 
-/**
- * The balls to which a model gives a chance in one tenth of 0..1: their number, the mean of the chances, and how many
- * solve.
- */
+/** The balls whose predicted chance is in one tenth of 0..1: their number, their mean chance, and how many solve. */
 export interface Bin {
   readonly balls: number;
   readonly chance: number;
@@ -24,14 +21,14 @@ export interface ModelResults {
   readonly simulator: number;
   readonly agents_version: number;
   readonly tasks: readonly string[];
-  /** Of each agent, 0..100. */
+  /** For each agent, 0..100. */
   readonly auccess: Readonly<Partial<Record<Agent, number>>>;
-  /** Of each agent: the number of the ball that solved each task first, from 1; null if none of a hundred did. */
+  /** For each agent, the number of the ball that first solved each task, from 1; null if none of a hundred did. */
   readonly first_solved: Readonly<Partial<Record<Agent, readonly (number | null)[]>>>;
   readonly calibration: { readonly random: readonly Bin[]; readonly candidates: readonly Bin[] };
 }
 
-/** Auccess, within and cross, as it is printed: means and deviations over ten folds. */
+/** Auccess, within and cross, as printed: means and deviations over ten folds. */
 type Row = readonly string[];
 
 export interface Results {
@@ -39,7 +36,7 @@ export interface Results {
   readonly compared: {
     /** By the name of the recipe; "–" unless all ten folds are measured. */
     readonly ours: readonly (readonly [recipe: string, auccess: Row])[];
-    /** `method` is empty if it goes by its authors. */
+    /** `method` is empty if the result is known by its authors. */
     readonly published: readonly { method: string; source: string; url: string; auccess: Row }[];
     /** The paper's nets on each template, within and cross: as published, and ours. */
     readonly paper: readonly (readonly [published: readonly string[], ours: readonly string[]])[];

@@ -1,5 +1,5 @@
-// "How good are the models?": the models of the page on the test tasks of one fold, each failure a link; how often the
-// chances that they give come true; and, apart from these, means over ten folds beside what others have published.
+// "How good are the models?": the page's models on the test tasks of one fold, with a link for each failure; how often
+// their predicted chances come true; and, separately, means over ten folds compared with published results.
 
 import { html, nothing } from "lit-html";
 import { calibrationChart } from "./charts.ts";
@@ -8,7 +8,7 @@ import { AGENTS, resultsCsv } from "./results-file.ts";
 import type { TemplateResult } from "lit-html";
 import type { Agent, ModelResults, Results } from "./results-file.ts";
 
-/** Which tasks are listed, by the number of the ball that solved them first. */
+/** Filters for the listed tasks, by the number of the ball that first solved them. */
 const FILTERS = {
   all: () => true,
   failures: (first: number | null) => first === null,
@@ -61,7 +61,7 @@ function view(): void {
   );
 }
 
-/** The models of the page, on one fold. */
+/** The page's models, on one fold. */
 function here({ models }: Results): TemplateResult {
   const model = models[state.model]!;
   const agents = AGENTS.filter((agent) => model.first_solved[agent]);
@@ -256,7 +256,7 @@ function byKind(setups: Results["compared"]["paper"]): TemplateResult {
   </details>`;
 }
 
-/** A row of figures as they are printed, with as many decimals. */
+/** A row of figures as printed, with the same number of decimals. */
 function row(name: string | TemplateResult, figures: readonly string[]): TemplateResult {
   const local = (figure: string) =>
     figure.replace(/[\d.]+/g, (digits) => text.number(Number(digits), digits.includes(".") ? 1 : 0));

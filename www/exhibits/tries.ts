@@ -1,11 +1,11 @@
-// What "Watch it learn" knows of the puzzles that were played, and which ball is shown when. Without browser and wasm.
+// The played puzzles of "Watch it learn", and which ball is shown when. Independent of browser and wasm.
 
 import type { Reminder, TriedProposal } from "pathlight";
 
-/** A puzzle that was played twice; null if no ball solved it. */
+/** A puzzle that was played twice. Numbers are null if no ball solved it. */
 export interface Played {
   readonly task: string;
-  /** The number of the ball that solved it with the memory, and without. */
+  /** Number of the ball that solved it with the memory, and without. */
   readonly learned: number | null;
   readonly fresh: number | null;
   /** The earlier puzzle that helped to solve it with the memory. */
@@ -19,21 +19,21 @@ export interface ShownTry {
   readonly end: number;
 }
 
-/** Balls before the last that are shown. */
+/** Maximum number of balls shown before the last. */
 const MOST_SHOWN = 5;
-/** How long the last ball is shown, and how long all before it together at most, s. */
+/** How long the last ball is shown, and the maximum for all earlier ones together, s. */
 const LAST = 1.1;
 const BEFORE = 1;
-/** How long one of them is shown at most, s. */
+/** Maximum time that one of them is shown, s. */
 const ONE = 0.4;
-/** Puzzles of which the trend is the geometric mean. */
+/** Number of puzzles in the geometric mean of the trend. */
 const WINDOW = 5;
-/** Most steps that are shown of a ball before the last. */
+/** Maximum number of steps shown of a ball before the last. */
 const MOST_STEPS = 420;
 /** Steps at the end of a solution in which nothing moves. */
 const WAITING = 150;
 
-/** Which balls are shown, and when: the last at length, a few before it in short. */
+/** Chooses which balls are shown, and when: the last at length, a few earlier ones briefly. */
 export function shownTries(count: number): ShownTry[] {
   const before = Math.min(count - 1, MOST_SHOWN);
   const each = before > 0 ? Math.min(BEFORE / before, ONE) : 0;
@@ -45,10 +45,10 @@ export function shownTries(count: number): ShownTry[] {
   return count ? [...shown, { number: count, start: before * each, end: before * each + LAST }] : [];
 }
 
-/** How long the balls at a puzzle are shown, s. */
+/** How long the balls of a puzzle are shown, s. */
 export const duration = (count: number): number => shownTries(count).at(-1)?.end ?? 0;
 
-/** The ball that is shown at a time, the step of its run, and whether it is the last at its end; null without balls. */
+/** The ball shown at a time, the step of its run, and whether it is the last at its end; null without balls. */
 export function momentOf(
   tries: readonly TriedProposal[],
   time: number,
@@ -73,7 +73,7 @@ export function playedOf(task: string, learned: readonly TriedProposal[], fresh:
   return { task, learned: solvedAt(learned), fresh: solvedAt(fresh), reminder: helped ? reminder : null };
 }
 
-/** For each puzzle the geometric mean of its balls and of those of the few before it. */
+/** For each puzzle, the geometric mean of its ball count and those of the few puzzles before it. */
 export function trend(counts: readonly number[]): number[] {
   return counts.map((_, index) => {
     const latest = counts.slice(Math.max(index + 1 - WINDOW, 0), index + 1);

@@ -1,5 +1,5 @@
-// The page's side of the worker: each call is a promise. Once its signal is aborted it rejects with the signal's reason
-// and no update arrives any more, however late the worker answers.
+// The page's side of the worker: each call is a promise. Once its signal is aborted, it rejects with the signal's
+// reason and ignores later answers of the worker.
 
 import { loadError } from "./loading.ts";
 import type { Failure } from "../core/change/model.ts";
@@ -34,21 +34,21 @@ export class ModelClient {
   #create: () => Worker;
   #script: string;
 
-  /** `script`: where the worker's code lies, to find out why it does not start. */
+  /** `script` is the address of the worker's code, to find out why it does not start. */
   constructor(create: () => Worker, script: string, onCrash: (failure: Failure) => void) {
     this.#create = create;
     this.#script = script;
     this.#onCrash = onCrash;
   }
 
-  /** Starts a new worker in place of the present one, whose open calls reject. */
+  /** Replaces the worker by a new one. Open calls reject. */
   start(): void {
     this.stop({ code: "broken", reason: "The worker was started again." });
     const worker = (this.#worker = this.#create());
     worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
     worker.addEventListener("error", async (event) => {
       event.preventDefault();
-      // Without a message its code could not even be loaded.
+      // Without a message, its code could not even be loaded.
       const failure: Failure = event.message
         ? { code: "crashed", reason: event.message }
         : (await loadError(this.#script, "the worker could not be loaded", "worker")).failure;

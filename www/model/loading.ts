@@ -1,4 +1,4 @@
-// Why a file could not be used: from what went wrong to a failure, for which the text has the remedy.
+// Finds out why a file could not be used: turns an error into a failure, for which the text has the remedy.
 
 import type { Failure, FailureCode } from "../core/change/model.ts";
 
@@ -17,8 +17,8 @@ const SIMD = [
 ];
 
 /**
- * Asks for the file once more and looks at what comes, because browsers say little and each something else.
- * `otherwise`: what is wrong if the file is there.
+ * Fetches the file once more and inspects it, because browsers report little, and each something different. `otherwise`
+ * is the failure if the file is there.
  */
 export async function loadError(url: string, error: unknown, otherwise: FailureCode): Promise<LoadError> {
   const said = error instanceof Error ? error.message : String(error);
@@ -30,7 +30,7 @@ async function codeOf(url: string, said: string, otherwise: FailureCode): Promis
   if (!response) return navigator.onLine ? "unreachable" : "offline";
   if (!response.ok) return response.status < 500 ? "missing" : "unreachable";
   const start = (await response.text().catch(() => "")).trimStart();
-  // A host that answers everything with its start page, or a network that asks to log in first.
+  // The host answers everything with its start page, or the network asks for a login first.
   if (/^<(!doctype|html)/i.test(start)) return "page";
   if (/content.security.policy|\bCSP\b|unsafe-eval/i.test(said)) return "forbidden";
   return WebAssembly.validate(Uint8Array.from(SIMD)) ? otherwise : "old";

@@ -1,5 +1,5 @@
-// One worker for all puzzles of a page that use the same files and model: each worker holds the weights and an instance
-// of the wasm, and a lesson may show many puzzles.
+// One worker for all puzzles of a page that use the same files and model: each worker holds the weights and a wasm
+// instance, and a lesson may show many puzzles.
 
 import { MODEL_OFF } from "../core/change/model.ts";
 import { ModelClient, WorkerError } from "./client.ts";
@@ -7,11 +7,11 @@ import models from "../../assets/model.json";
 import type { Setup } from "../pkg/page/pathlight.js";
 import type { Model } from "../core/change/model.ts";
 
-/** Where the files lie that the worker loads. */
+/** Addresses of the files that the worker loads. */
 export interface ModelFiles {
   readonly worker: string;
   readonly wasm: string;
-  /** By the names of the models’ files. */
+  /** Addresses of weights by file name. */
   readonly weights: Readonly<Record<string, string>>;
 }
 
@@ -30,7 +30,7 @@ export class SharedModel {
     this.client = new ModelClient(create, files.worker, (failure) => this.#tell({ kind: "failed", failure }));
   }
 
-  /** Tells what becomes of the model, until the signal is aborted. With the last listener the worker ends. */
+  /** Reports the state of the model until the signal is aborted. Without listeners the worker ends. */
   async follow(listener: Listener, signal: AbortSignal): Promise<void> {
     this.#listeners.add(listener);
     if (this.#model.kind !== "off") listener(this.#model);
@@ -41,7 +41,7 @@ export class SharedModel {
     this.client.stop({ code: "broken", reason: "Nobody uses the worker any more." });
   }
 
-  /** Loads the weights, unless they are there or on their way. */
+  /** Loads the weights, unless they are loaded or loading. */
   async start(): Promise<void> {
     if (this.#model.kind === "loading" || this.#model.kind === "ready") return;
     this.#tell({ kind: "loading", arrived: 0 });
@@ -53,12 +53,12 @@ export class SharedModel {
       const card = await this.client.call("load", [this.#files.wasm, weights], new AbortController().signal, onUpdate);
       this.#tell({ kind: "ready", name, card });
     } catch (error) {
-      // A crash has been told already, and a worker that was ended has nobody to tell.
+      // A crash has already been reported, and a worker that was ended has no listeners.
       if (this.#kind() === "loading") this.#tell({ kind: "failed", failure: (error as WorkerError).failure });
     }
   }
 
-  /** It may have changed during a call, which the compiler does not see. */
+  /** Read anew, because it may change during a call, which the compiler does not see. */
   #kind(): Model["kind"] {
     return this.#model.kind;
   }
@@ -69,7 +69,7 @@ export class SharedModel {
   }
 }
 
-/** Browsers start no script of another origin as a worker, but one of the page's own may import it. */
+/** Browsers start no worker from a script of another origin, but a script of the page's own may import it. */
 function startWorker(url: string): Worker {
   if (new URL(url).origin === location.origin) return new Worker(url, { type: "module" });
   const script = URL.createObjectURL(new Blob([`import ${JSON.stringify(url)};`], { type: "text/javascript" }));

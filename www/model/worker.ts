@@ -1,8 +1,8 @@
-// The nets and searches, off the page's thread. `calls` declares each call once; the client takes its name, arguments,
+// The nets and searches, off the main thread. `calls` declares each call once; the client takes its name, arguments,
 // updates and answer from here.
 //
-// The page sends { id, call, args }, and the worker answers with any number of { id, update }, then with one
-// { id, value } or { id, failure }. { cancel: id } ends a call that still runs: nobody waits for its answer.
+// The page sends { id, call, args }. The worker answers with any number of { id, update }, then with one { id, value }
+// or { id, failure }. { cancel: id } ends a running call whose answer is no longer needed.
 
 import init, { Model, SolutionSearch, SolveMap, luck } from "../pkg/worker/pathlight.js";
 import { LoadError, loadError } from "./loading.ts";
@@ -18,28 +18,28 @@ export interface Weights {
   readonly sha256: string;
 }
 
-/** How long a search runs before it sends what it has found and lets messages in, ms. */
+/** How long a search runs before it sends its results and handles messages, ms. */
 const SLICE = 100;
 
 let model: Model;
-/** The turn that was played last goes on where it was. */
+/** The last turn, which continues where it was. */
 let turn: { key: string; handle: Turn; tried: TriedProposal[]; over: boolean } | null = null;
 let started: Promise<unknown> | null = null;
 
-/** A long call is a generator: each value that it yields is an update, then messages are let in. */
+/** A long call is a generator: each yielded value is an update, after which messages are handled. */
 const calls = {
-  /** Loads the weights, and returns how they were trained. Updates: the fraction that has arrived, 0..1. */
+  /** Loads the weights, and returns how they were trained. Updates: the fraction loaded, 0..1. */
   async *load(wasm: string, weights: Weights) {
     started = fetched(wasm)
       .then((response) => init({ module_or_path: response }))
       .catch(async (error) => Promise.reject(await loadError(wasm, error, "damaged")));
-    // It is waited for last; until then it may fail unheard.
+    // It is awaited last; ignore its rejection until then.
     started.catch(() => {});
     const bytes = new Uint8Array(weights.size);
     try {
       yield* filled(bytes, await fetched(weights.url));
       await started;
-      // A page that came neither by HTTPS nor from this machine has no hashes; the wasm still checks the file's form.
+      // A page loaded neither over HTTPS nor from this machine has no hashes; the wasm still checks the file's format.
       const hash = crypto.subtle ? hex(await crypto.subtle.digest("SHA-256", bytes)) : weights.sha256;
       if (hash !== weights.sha256) throw new Error("other bytes");
       model = new Model(bytes, weights.sha256);
@@ -49,12 +49,12 @@ const calls = {
     return model.card();
   },
 
-  /** What the nets imagine of a puzzle, and whether they were trained on it. */
+  /** The maps that the nets imagine for a puzzle, and whether they were trained on it. */
   imagine: (puzzle: Puzzle) => ({ maps: model.imagine(puzzle), practised: model.hasSeen(puzzle) }),
 
   imagineBall: (puzzle: Puzzle, ball: Ball) => model.imagineBall(puzzle, ball) ?? null,
 
-  /** What it imagines before its first ball: some of its candidates, from the likeliest to the least likely, evenly. */
+  /** What the model imagines before its first ball: candidates at even steps from the likeliest to the least likely. */
   futures: (puzzle: Puzzle, count: number): Futures | null => {
     const all = model.candidates(puzzle)?.toSorted((one, other) => other.probability - one.probability);
     const ball = model.propose(puzzle, 0, 1)[0]?.ball;
@@ -64,10 +64,10 @@ const calls = {
     return { futures: some.map(({ probability, object }) => ({ probability, path: object })), ball, imagined };
   },
 
-  /** The balls that it considers before it chooses its first. */
+  /** The balls that the model considers before it chooses its first. */
   candidates: (puzzle: Puzzle) => model.candidates(puzzle) ?? [],
 
-  /** The first balls of the model's turn, each tried only once it is asked for. */
+  /** The first balls of the model's turn, each tried only when it is asked for. */
   *turn(puzzle: Puzzle, count: number) {
     const key = JSON.stringify(puzzle);
     if (turn?.key !== key) {
@@ -98,7 +98,7 @@ const calls = {
     }
   },
 
-  /** Tries balls of all places and radii. Updates: what has been found so far. */
+  /** Tries balls of all places and radii. Updates: the results so far. */
   *search(puzzle: Puzzle) {
     const search = new SolutionSearch(puzzle);
     try {
@@ -115,7 +115,7 @@ const calls = {
   luck: (puzzle: Puzzle, ball: Ball) => luck(puzzle, ball),
 };
 
-/** The calls that run and have not been cancelled. */
+/** Running calls that have not been cancelled. */
 const running = new Set<number>();
 
 addEventListener("message", async ({ data: { id, call, args, cancel } }) => {
@@ -131,7 +131,7 @@ addEventListener("message", async ({ data: { id, call, args, cancel } }) => {
 });
 
 async function answer(id: number, name: keyof Calls, args: unknown[]): Promise<unknown> {
-  // Searches need no weights, but all need the wasm.
+  // Searches need no weights, but all calls need the wasm.
   if (name !== "load") await started;
   const call: (...args: any[]) => any = calls[name];
   const steps = call(...args);
@@ -155,7 +155,7 @@ async function fetched(url: string): Promise<Response> {
   return response;
 }
 
-/** Fills the bytes from an answer, and yields the fraction that has arrived. */
+/** Fills the bytes from a response, and yields the fraction loaded. */
 async function* filled(bytes: Uint8Array, { body }: Response): AsyncGenerator<number> {
   // Safari's streams cannot be iterated.
   const reader = body!.getReader();
@@ -168,14 +168,14 @@ async function* filled(bytes: Uint8Array, { body }: Response): AsyncGenerator<nu
       yield arrived / bytes.length;
     }
   } finally {
-    // Where nobody waits any longer, or it is too long, the rest is not downloaded.
+    // If the call was cancelled or the file is too long, do not download the rest.
     await reader.cancel().catch(() => {});
   }
 }
 
 function failureOf(error: any): Failure {
   if (error instanceof LoadError) return error.failure;
-  // After a panic in Rust or a trap the memory of the instance is in no known state.
+  // After a panic in Rust or a trap, the memory of the instance is in an unknown state.
   const crashed = error?.code === "panic" || error instanceof WebAssembly.RuntimeError;
   return { code: crashed ? "crashed" : "broken", reason: error?.message ?? String(error) };
 }

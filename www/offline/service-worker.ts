@@ -1,21 +1,21 @@
-// The service worker of dist/, which keeps all files of one version, so that the page works without a network.
+// The service worker of dist/. It caches all files of one version, so that the page works without a network.
 //
-// Each version has a cache of its own, and takes the place of the one before only when the person says so, or when no
-// page is open. A page that is still open then asks for files in the folder of its own version, and gets them from the
-// cache of that version, which stays as long as such a page holds its lock.
+// Each version has a separate cache. It replaces the previous version only when the person agrees or no page is open. A
+// page that is still open requests files from the folder of its version and gets them from that version's cache, which
+// is kept as long as such a page holds its lock.
 
-/** The version, and its files with their integrity. scripts/build-dist.mjs fills it in. */
+/** The version and its files with their integrity, filled in by scripts/build-dist.mjs. */
 declare const PRECACHE: { readonly version: string; readonly files: readonly KeptFile[] };
 
 type KeptFile = readonly [path: string, integrity: string];
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
 const { scope } = worker.registration;
-/** How the caches of all versions begin; the address keeps other pages of this origin apart. */
+/** Prefix of the caches of all versions; the address separates them from other pages of this origin. */
 const PREFIX = `pathlight ${scope}`;
 /** The cache of this version, and the lock of its pages. */
 const CACHE = `${PREFIX}${PRECACHE.version}/`;
-/** The folder of a version, which is named by a hash. */
+/** The folder of a version, named by a hash. */
 const VERSION_FOLDER = /^[0-9a-f]{12}\/$/;
 /** Files that never change: those in the folder of a version, and weights. */
 const IMMUTABLE = /^([0-9a-f]{12}|assets)\//;
@@ -38,23 +38,23 @@ worker.addEventListener("fetch", (event) => {
     event.respondWith(cachedOrFetched(isIndex ? scope : scope + path, request));
 });
 
-/** Keeps all files. The lock, as long as it takes, keeps another version from deleting this cache as unused. */
+/** Caches all files. Holding the lock meanwhile keeps other versions from deleting this cache as unused. */
 function install(): Promise<void> {
   return navigator.locks.request(CACHE, { mode: "shared" }, precache);
 }
 
-/** Fetches the files that are not here yet. If one fails, this version is not installed, and the one before stays. */
+/** Fetches the files that are missing. If one fails, this version is not installed, and the previous one stays. */
 async function precache(): Promise<void> {
   const cache = await caches.open(CACHE);
   const isWeights = ([path]: KeptFile) => path.startsWith("assets/");
   await Promise.all(PRECACHE.files.filter((file) => !isWeights(file)).map((file) => keep(cache, file)));
-  // Large ones after each other, so that the page's own requests come through.
+  // Large files one at a time, so that the page's own requests get through.
   for (const file of PRECACHE.files.filter(isWeights)) await keep(cache, file);
 }
 
 async function keep(cache: Cache, [path, integrity]: KeptFile): Promise<void> {
   const address = new URL(path, scope).href;
-  // It may be there from an installation that was interrupted, or from a version with the same weights.
+  // It may exist from an interrupted installation, or from a version with the same weights.
   if (await cache.match(address, { ignoreVary: true })) return;
   const known = IMMUTABLE.test(path) ? await caches.match(address, { ignoreVary: true }) : undefined;
   await cache.put(address, known ?? (await fetched(address, integrity)));
@@ -68,7 +68,7 @@ async function fetched(address: string, integrity: string): Promise<Response> {
 
 async function cachedOrFetched(address: string, request: Request): Promise<Response> {
   const own = await (await caches.open(CACHE)).match(address, { ignoreVary: true });
-  // A page of another version asks for files of that one.
+  // A page of another version requests files of that version.
   return own ?? (await caches.match(address, { ignoreVary: true })) ?? fetch(request);
 }
 

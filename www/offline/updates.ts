@@ -1,6 +1,6 @@
-// Starts the service worker, and offers a new version of the page in a sentence. Only the index.html of dist/ names
-// this file. Where service workers are missing or denied, or storage is full, the page works as it does without them.
-// It depends on no other script, so that a version that is broken can still be replaced.
+// Starts the service worker, and offers a new version of the page. Only the index.html of dist/ loads this file. Where
+// service workers are missing or denied, or storage is full, the page works without them. It depends on no other
+// script, so that a broken version can still be replaced.
 
 import { offline as de } from "../text/de/offline.ts";
 import { offline as en } from "../text/en/offline.ts";
@@ -10,12 +10,12 @@ import type { Language } from "../text/language.ts";
 const TEXTS: Record<Language, typeof en> = { en, de };
 
 const SERVICE_WORKER = "service-worker.js";
-/** Longest wait for an idle page before the service worker is registered, ms. */
+/** Maximum wait for an idle page before the service worker is registered, ms. */
 const PATIENCE = 5000;
-/** The name of the cache of this version, and of the lock that its pages hold. */
+/** Name of the cache of this version, and of the lock that its pages hold. */
 const CACHE = `pathlight ${new URL("./", import.meta.url)}`;
 
-// Without a network, in a private window or in a sandboxed frame there is nothing to do, and nothing to tell.
+// Without a network, in a private window or in a sandboxed frame, there is nothing to do or report.
 start().catch(() => {});
 
 async function start(): Promise<void> {
@@ -23,7 +23,7 @@ async function start(): Promise<void> {
   if (!serviceWorker || !locks) return;
   const release = await holdVersion();
   serviceWorker.controller?.postMessage("started");
-  // The first puzzle does not wait for files that are kept for later.
+  // The first puzzle must not wait for files cached for later.
   await idle();
   // Do not read the worker's script from the HTTP cache.
   const registration = await serviceWorker.register(SERVICE_WORKER, { updateViaCache: "none" });
@@ -31,7 +31,7 @@ async function start(): Promise<void> {
   if (registration.waiting) offerNext();
   const watch = () => {
     const { installing } = registration;
-    // The first version of all replaces none.
+    // The very first version replaces none.
     installing?.addEventListener("statechange", () => {
       if (installing.state === "installed" && registration.active) offerNext();
     });
@@ -43,7 +43,7 @@ async function start(): Promise<void> {
   if (serviceWorker.controller) await check();
 }
 
-/** Resolves once this page holds the lock of its version, for which its files are kept; the result releases it. */
+/** Resolves once this page holds the lock of its version, which keeps its files. The result releases the lock. */
 function holdVersion(): Promise<() => Promise<unknown>> {
   return new Promise((held, denied) => {
     const ended = navigator.locks.request(CACHE, { mode: "shared" }, () => {
@@ -55,7 +55,7 @@ function holdVersion(): Promise<() => Promise<unknown>> {
 
 function idle(): Promise<unknown> {
   return new Promise((resolve) => {
-    // Not in every browser.
+    // Not supported by every browser.
     if ("requestIdleCallback" in window) requestIdleCallback(resolve, { timeout: PATIENCE });
     else setTimeout(resolve, PATIENCE);
   });
@@ -65,14 +65,14 @@ async function checkForUpdate(registration: ServiceWorkerRegistration, release: 
   try {
     await registration.update();
   } catch {
-    // Something else is served at this address now: without this, the kept version would be shown for ever.
+    // Something else is served at this address now. Without this check, the cached version would be shown forever.
     if (!(await isGone())) return;
     await registration.unregister();
     offer(() => leave(registration.scope, release));
   }
 }
 
-/** Does the server answer that there is no service worker, or with a page for every address? An error is no answer. */
+/** Whether the server says that there is no service worker, or answers everything with a page; not on errors. */
 async function isGone(): Promise<boolean> {
   try {
     const { status, ok, redirected, headers } = await fetch(SERVICE_WORKER, { method: "HEAD", cache: "no-store" });
@@ -83,7 +83,7 @@ async function isGone(): Promise<boolean> {
   }
 }
 
-/** Shows the sentence, once. It stands beside what main.js renders, which may be broken. */
+/** Shows the message once, outside what main.js renders, which may be broken. */
 function offer(act: () => void): void {
   const bar = document.getElementById("update")!;
   if (!bar.hidden) return;
@@ -94,25 +94,25 @@ function offer(act: () => void): void {
   yes!.onclick = act;
   no!.onclick = () => (bar.hidden = true);
   bar.hidden = false;
-  // Screen readers read what changes in an element that they know already.
+  // Screen readers announce changes only in elements that already exist.
   requestAnimationFrame(() => (bar.querySelector("span")!.textContent = available));
 }
 
-/** Loads the page again, in the new version. */
+/** Reloads the page in the new version. */
 function load({ waiting }: ServiceWorkerRegistration): void {
-  // Another page may have taken the new version already.
+  // Another page may already have activated the new version.
   if (!waiting) return location.reload();
   navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
   waiting.postMessage("activate");
 }
 
-/** Deletes the versions kept for this address that no other page uses, and loads what the server has now. */
+/** Deletes cached versions of this address that no other page uses, and loads what the server has now. */
 async function leave(scope: string, release: () => Promise<unknown>): Promise<void> {
   try {
     await release();
     const prefix = `pathlight ${scope}`;
     for (const name of await caches.keys()) {
-      // Caches of pages in a folder below have a longer path.
+      // Caches of pages in subfolders have a longer path.
       if (!name.startsWith(prefix) || !/^[^/]+\/$/.test(name.slice(prefix.length))) continue;
       await navigator.locks.request(name, { ifAvailable: true }, async (lock) => lock && (await caches.delete(name)));
     }

@@ -1,10 +1,10 @@
-// What a key asks for, from the facts of its event alone.
+// Maps a key to an action, from its event alone.
 
 export type KeyFacts = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">;
 
 /**
- * `move`, `resize` and `next` are asked for in the scene; the others anywhere. In the presentation of the walkthrough,
- * `move` turns its pages outside the scene, and `page` does so anywhere: that is what a clicker sends.
+ * `move`, `resize` and `next` apply in the scene, the other actions anywhere. In the presentation of the walkthrough,
+ * `move` turns pages outside the scene, and `page` turns them anywhere: clickers send it.
  */
 export type KeyAction =
   | { readonly kind: "move"; readonly dx: number; readonly dy: number }
@@ -14,13 +14,13 @@ export type KeyAction =
   | { readonly kind: "page"; readonly by: 1 | -1 }
   | { readonly kind: "panel"; readonly index: number };
 
-/** What only the scene that is being changed knows. */
+/** Actions in a scene that is being changed. */
 export type MakingKey =
   | { readonly kind: "select"; readonly by: 1 | -1 }
   | { readonly kind: "turn"; readonly degrees: number }
   | { readonly kind: "duplicate" | "remove" | "leave" };
 
-/** With Shift an arrow moves the ball as far, px. */
+/** Distance of an arrow key with Shift, px. */
 const FAR = 10;
 
 const ARROWS: Record<string, readonly [dx: number, dy: number]> = {
@@ -45,7 +45,7 @@ const PLAIN: Record<string, KeyAction> = {
   "[": { kind: "previousPuzzle" },
   "]": { kind: "nextPuzzle" },
 };
-/** What keys are called where another layout gives them another letter. */
+/** Names of keys on layouts that give them another letter. */
 const CODES: Record<string, string> = {
   BracketLeft: "[",
   BracketRight: "]",
@@ -71,7 +71,7 @@ export function keyAction(facts: KeyFacts): KeyAction | null {
   return null;
 }
 
-/** How far a key turns a body, degrees; with Shift the larger. */
+/** Angles by which keys turn a body, degrees; the larger with Shift. */
 const TURNS = [1, 15];
 
 export function makingKey(facts: KeyFacts): MakingKey | null {
@@ -107,7 +107,7 @@ function withControl(names: string[], shift: boolean): KeyAction | null {
   return names.includes("z") ? { kind: shift ? "redo" : "undo" } : null;
 }
 
-/** What a key may be called: what it writes, and where it is unless that is a Latin letter. */
+/** Names of a key: the character that it types, and its position unless that character is a Latin letter. */
 function namesOf({ key, code }: KeyFacts): string[] {
   const written = key.length === 1 ? key.toLowerCase() : key;
   if (/^\p{Script=Latin}$/u.test(written)) return [written];

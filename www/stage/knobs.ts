@@ -1,16 +1,16 @@
-// Over a scene that is being made: ring and knobs of the selected body, and rings round those that have a problem.
+// Paints over a scene being made: ring and knobs of the selected body, and rings around bodies with a problem.
 
 import { circleOf, knobsOf } from "../core/derived/bodies.ts";
 import { DARK_PALETTE, LIGHT_PALETTE, SCENE_SIZE } from "../pkg/constants.ts";
 import type { Point } from "../core/change/placement.ts";
 import type { CustomBody } from "../pkg/page/pathlight.js";
 
-/** CSS px. */
+/** Radius of a knob, CSS px. */
 const KNOB = 7;
-/** How far a ring is from its body, px. */
+/** Distance of a ring from its body, px. */
 const GAP = 3;
 
-/** `unit`: a CSS px in px of the scene. */
+/** `unit` is the size of a CSS px in px of the scene. */
 export function paintKnobs(
   context: CanvasRenderingContext2D,
   selected: CustomBody | null,

@@ -1,4 +1,4 @@
-// Pointer, wheel and keys, as changes of the state. Decides nothing itself.
+// Turns pointer, wheel and keys into changes of the state. Makes no decisions.
 
 import { goBy, takeNextStep } from "../opening.ts";
 import { openPanel, present } from "../core/change/route.ts";
@@ -15,14 +15,14 @@ import type { Store } from "../core/store.ts";
 import type { KeyAction } from "./keys.ts";
 import type { Stage } from "./stage.ts";
 
-/** How near a pointer has to come to the knob, and to the middle of a small ball, CSS px. */
+/** Distance within which a pointer grabs the knob, or the middle of a small ball, CSS px. */
 const REACH: Record<string, { knob: number; ball: number }> = {
   mouse: { knob: 10, ball: 0 },
   pen: { knob: 14, ball: 10 },
   touch: { knob: 22, ball: 22 },
 };
 
-/** Listens until the signal is aborted; `around`: where keys are heard that are not the scene's alone. */
+/** Listens until the signal is aborted. `around` is where to listen for keys that are not only for the scene. */
 export function listen(stage: Stage, around: Document | ShadowRoot, store: Store<State>, signal: AbortSignal): void {
   const { canvas } = stage;
   const tool = () => toolOf(store.state);
@@ -42,7 +42,7 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
   on(canvas, "pointercancel", (event: PointerEvent) => store.change(tool().cancel, event.pointerId));
 
   on(canvas, "wheel", (event: WheelEvent) => {
-    // The wheel is the page's, unless the person is busy with the ball; with Ctrl it zooms.
+    // The wheel scrolls the page unless the person is handling the ball; with Ctrl it zooms.
     if (!canvas.matches(":focus") || event.ctrlKey || store.state.run || !tool().holds(store.state)) return;
     event.preventDefault();
     const [steps, rest] = wheelSteps(wheelRest, event);
@@ -113,7 +113,7 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
     }
   }
 
-  /** In the presentation of the walkthrough; elsewhere the key stays the page's. */
+  /** Turns pages in the presentation of the walkthrough; elsewhere the page handles the key. */
   function turnPage(by: number): boolean {
     const turns = store.state.route.view !== null && shownPanel(store.state) === "imagine";
     if (turns) store.change(go, by);
@@ -130,7 +130,7 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
   }
 }
 
-/** Is the key meant for a field or a button? */
+/** Whether the key is meant for a field or a button. */
 function isTyped(event: KeyboardEvent, action: KeyAction): boolean {
   const target = event.composedPath()[0];
   if (!(target instanceof Element)) return false;

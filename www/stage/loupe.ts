@@ -1,14 +1,14 @@
-// A loupe beside the finger that drags: what the finger covers, twice as large.
+// A magnifier next to a dragging finger: shows what the finger covers, twice as large.
 
 import { SCENE_SIZE } from "../pkg/constants.ts";
 import type { Point } from "../core/change/placement.ts";
 
 const MAGNIFIED = 2;
-/** Its width, and how far its middle is from the finger, CSS px: a finger is some 50 wide. */
+/** Width of the magnifier, and distance of its middle from the finger, CSS px: a finger is about 50 wide. */
 const SIDE = 104;
 const AWAY = 96;
 
-/** Shows a point of the scene, or for null nothing. The class `wanted` says whether a finger drags. */
+/** Shows a point of the scene; null hides it. The class `wanted` tells whether a finger drags. */
 export function magnify(loupe: HTMLCanvasElement, scene: HTMLCanvasElement, point: Point | null): void {
   loupe.className = `loupe${loupe.classList.contains("wanted") ? " wanted" : ""}`;
   loupe.hidden = point === null || !loupe.classList.contains("wanted");
@@ -17,7 +17,7 @@ export function magnify(loupe: HTMLCanvasElement, scene: HTMLCanvasElement, poin
   const width = scene.clientWidth;
   const [x, y] = [(point[0] / SCENE_SIZE) * width, (1 - point[1] / SCENE_SIZE) * width];
   const half = SIDE / 2;
-  // Above the finger; near the upper edge beside it, where there is room.
+  // Above the finger; near the upper edge, on the side that has room.
   const above = y - AWAY >= half;
   const beside = x > width / 2 ? x - AWAY : x + AWAY;
   const within = (middle: number) => Math.min(Math.max(middle, half), width - half) - half;

@@ -1,4 +1,4 @@
-// The scene on its canvas: paints a state by the wasm, at the resolution of the screen.
+// The scene on its canvas: paints a state with the wasm, at the resolution of the screen.
 
 import { introPaths, introShown } from "../core/derived/home.ts";
 import { isHidden, shownPanel } from "../core/derived/hidden.ts";
@@ -18,12 +18,12 @@ import type { State } from "../core/state.ts";
 /** Radius of the knob, CSS px. */
 const KNOB = 7;
 const MAP_OPACITY = 0.8;
-/** What is shown of the model while the scene is changed, unless there is something else to see. */
+/** Maps shown while the scene is being changed, unless others are selected. */
 const LIVE = ["base"] as const;
 
 export class Stage {
   readonly canvas = document.createElement("canvas");
-  /** What a finger covers while it drags. */
+  /** The magnifier for what a dragging finger covers. */
   readonly loupe = document.createElement("canvas");
   /** CSS px per px of the scene. */
   scale = 1;
@@ -34,7 +34,7 @@ export class Stage {
   constructor(onResize: () => void) {
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
-    // What was painted is gone then.
+    // The painted content is lost then.
     this.canvas.addEventListener("contextrestored", () => this.#forget(onResize));
     this.#observer = new ResizeObserver(() => {
       const side = this.canvas.clientWidth;
@@ -47,7 +47,7 @@ export class Stage {
     this.#observer.observe(this.canvas);
   }
 
-  /** Paints a state, unless all that is seen of it has been painted. */
+  /** Paints a state, unless all visible parts have been painted. */
   paint(state: State): void {
     const { puzzle, run, placement, answers, route, check, make, sketch, text, intro } = state;
     const seen = [puzzle, run, placement, answers, route, check, make, sketch, text, intro, state.kept, state.device];
@@ -79,7 +79,7 @@ export class Stage {
   }
 }
 
-/** Is the scene shown as it is being made? */
+/** Whether the scene is shown as it is being made. */
 function isMade(state: State): boolean {
   return shownPanel(state) === "make" && state.run === null;
 }

@@ -10,27 +10,27 @@ import type { KeyFacts } from "./keys.ts";
 import type { Point } from "../core/change/placement.ts";
 import type { State } from "../core/state.ts";
 
-/** Each function leads from one state to the next; points are px of the scene. */
+/** Each function maps one state to the next; points are in px of the scene. */
 export interface Tool {
-  /** A pointer goes down, within whose reach something may be grabbed, px. */
+  /** Handles a pointer going down; `reach` is the distance within which it grabs something, px. */
   press(state: State, pointer: number, point: Point, reach: { readonly knob: number; readonly ball: number }): State;
   drag(state: State, pointer: number, point: Point): State;
   release(state: State, pointer: number): State;
-  /** The browser takes the pointer away: nothing has happened. */
+  /** Restores the state if the browser takes the pointer away. */
   cancel(state: State, pointer: number): State;
-  /** An arrow key, or a key or the wheel that changes the size. Moves of one gesture are undone together. */
+  /** Handles an arrow key, or a key or the wheel that changes the size. Moves of one gesture are undone together. */
   nudge(state: State, dx: number, dy: number, dr: number, gesture: string): State;
   undo(state: State): State;
   redo(state: State): State;
-  /** Has the person taken something in hand, so that wheel and swipes are the scene's? */
+  /** Whether the person is handling something, so that wheel and swipes act on the scene. */
   holds(state: State): boolean;
-  /** A key that only this tool knows; null: it does not. */
+  /** Handles a key that only this tool supports; null if it does not support the key. */
   key?(state: State, facts: KeyFacts, gesture: string): State | null;
 }
 
 const BALL: Tool = { ...ball, holds: ({ placement }) => placement.ball !== null };
 
-/** Draws the path of the green object; off it, places the ball. */
+/** Draws the path of the green object; away from it, places the ball. */
 const SKETCH: Tool = {
   press: pressSketch,
   drag: dragSketch,
@@ -69,7 +69,7 @@ export function toolOf(state: State): Tool {
   return panel === "make" ? BODIES : panel === "predict" ? SKETCH : BALL;
 }
 
-/** What a pointer holds: a finger covers it. */
+/** The point that a pointer holds, which a finger covers. */
 export function heldPoint({ placement: { drag, ball }, sketch }: State): Point | null {
   if (sketch.drawing) return sketch.line.at(-1)!;
   return drag && ball && (drag.grip === "rim" ? [ball[0] + ball[2], ball[1]] : [ball[0], ball[1]]);

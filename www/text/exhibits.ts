@@ -1,4 +1,4 @@
-// The texts of the exhibits, by language. Apart from those of the page, which does not load them.
+// The texts of the exhibits, by language. Separate from those of the page, which does not load them.
 
 import { languageOf } from "./language.ts";
 import type { Language } from "./language.ts";

@@ -1,4 +1,4 @@
-// Numbers and units as a language writes them.
+// Numbers and units as written in a language.
 
 import { GOAL_STEPS, STEPS_PER_SECOND } from "../pkg/constants.ts";
 
@@ -9,7 +9,7 @@ export const GOAL_SECONDS = GOAL_STEPS / STEPS_PER_SECOND;
 export const secondsOf = (steps: number) => steps / STEPS_PER_SECOND;
 
 export function formatsOf(language: string) {
-  // A format takes longer to make than a frame has.
+  // Creating a format takes longer than a frame.
   const numbers: Intl.NumberFormat[] = [];
   let percents: Intl.NumberFormat | null = null;
   const number = (value: number, decimals = 0) => {
@@ -22,7 +22,7 @@ export function formatsOf(language: string) {
     number,
     /** 0.304 as "30%". */
     percent: (share: number) => (percents ??= new Intl.NumberFormat(language, { style: "percent" })).format(share),
-    /** Without a break before the unit: "1.4 s". */
+    /** With a no-break space before the unit: "1.4 s". */
     seconds: (value: number) => `${number(value, 1)}\u00a0s`,
     counted: (count: number, one: string, more: string) => `${number(count)} ${count === 1 ? one : more}`,
   };

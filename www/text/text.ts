@@ -1,4 +1,4 @@
-// The texts of the page. The English ones are the form of all others; only those of the language in use are loaded.
+// The texts of the page. The English ones define the type of all others; only those of the current language are loaded.
 
 import type { Language } from "./language.ts";
 import type { en } from "./en/en.ts";

@@ -1,4 +1,4 @@
-// Distances in widths of a ball, as people would say them.
+// Distances in widths of a ball, as people say them.
 
 export interface WidthWords {
   readonly hair: string;
@@ -8,7 +8,7 @@ export interface WidthWords {
   more(count: number): string;
 }
 
-/** Returns a function from a distance and the radius of the ball, in the same unit, to words. */
+/** Returns a function that puts a distance and the radius of the ball, in the same unit, into words. */
 export function widthsIn(words: WidthWords): (distance: number, radius: number) => string {
   return (distance, radius) => {
     const widths = distance / (2 * radius);

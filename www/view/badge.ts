@@ -1,4 +1,4 @@
-// Which model plays, whether it is there, and whether it has practised the open puzzle.
+// Shows which model plays, whether it is loaded, and whether it was trained on the open puzzle.
 
 import { html, nothing } from "lit-html";
 import { startModel } from "../core/change/model.ts";

@@ -1,4 +1,4 @@
-// The check, for all panels that offer it: where a ball works, and an easy one.
+// The check, for all panels that offer it: where a ball works, and an easy ball.
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";

@@ -1,4 +1,4 @@
-// Under the scene: the one large button, and beside it the radius while the ball is placed, playback while it runs.
+// Below the scene: the one large button, and next to it the radius while the ball is placed, or playback during a run.
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
@@ -18,7 +18,7 @@ import { icon } from "./icons.ts";
 import { problemsHere } from "./make.ts";
 import type { App, View } from "./view.ts";
 
-/** The button is one element whatever it does, so it never loses the focus. */
+/** The button stays one element, so it never loses the focus. */
 export function controls(app: App): View {
   const { store } = app;
   const { state } = store;
@@ -38,7 +38,7 @@ export function controls(app: App): View {
   function clicked({ detail }: MouseEvent): void {
     if (detail >= 2) return;
     takeNextStep(store);
-    // Whoever starts by a key goes on in the scene.
+    // After starting by key, continue in the scene.
     if (step === "start") app.canvas.focus({ preventScroll: true });
   }
 }
@@ -51,7 +51,7 @@ function watch({ store }: App): View {
   </button>`;
 }
 
-/** Whatever moves by itself can be paused. */
+/** Pauses or resumes the show: any automatic motion can be paused. */
 function animation({ store }: App): View {
   const { intro, text } = store.state;
   return html`<button class="plain" @click=${() => store.change(toggleIntro)}>

@@ -1,4 +1,4 @@
-// The panel Data, for researchers: the ball in numbers, the model, imagined against real paths, and files.
+// The panel Data, for researchers: the ball in numbers, the model, imagined compared with real paths, and files.
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
@@ -87,7 +87,7 @@ function paths({ store }: App): View {
     ${answers.maps ? html`<p><button @click=${() => saveMaps(store)}>${text.data.saveMaps}</button></p>` : nothing}`;
 }
 
-/** How one of the balls that run agrees with what was imagined. */
+/** Shows how well one ball of the run agrees with what was imagined. */
 function row(state: State, index: number): View {
   const { text, puzzle, run, answers } = state;
   const { ball, of_model } = run!.balls[index]!;
@@ -121,7 +121,7 @@ function attempts({ store }: App): View {
   function opened({ target }: Event): void {
     const input = target as HTMLInputElement;
     const [file] = input.files!;
-    // The same file can be opened again.
+    // Allow the same file to be opened again.
     input.value = "";
     if (file) void openFile(store, file);
   }

@@ -1,12 +1,12 @@
-// The focus does not fall to the page when what has it goes or is disabled: it goes back to what opened a sheet, to the
-// tab of a panel that is left, or to the scene.
+// Keeps the focus when the focused element is removed or disabled: it moves to the control that opened the sheet, to
+// the tab of the panel that was left, or to the scene.
 
 import type { Sheet } from "../core/change/sheet.ts";
 
 /** Renders the document by `draw`. */
 export type Rendering = (sheet: Sheet | null, draw: () => void) => void;
 
-/** `root` holds all that is rendered. */
+/** `root` contains everything that is rendered. */
 export function keepingFocus(root: Document | ShadowRoot, scene: HTMLElement): Rendering {
   let shown: Sheet | null = null;
   let opener: Element | null = null;
@@ -37,7 +37,7 @@ function nameOf(panel: Element | null | undefined): string | null | undefined {
   return panel?.getAttribute("aria-label");
 }
 
-/** An item of the menu is hidden again; its menu is there. */
+/** An item of the menu is hidden again; return its menu, which is visible. */
 function placeOf(opener: Element | null): Element | null | undefined {
   const places = [opener, opener?.closest("details")?.querySelector("summary")];
   return places.find((place) => place?.checkVisibility() && !place.matches(":disabled"));

@@ -1,4 +1,4 @@
-// The header: which puzzle is open, the way to others, and the menu.
+// The header: the open puzzle, the way to others, and the menu.
 
 import { html, nothing } from "lit-html";
 import { goBy, goTo } from "../opening.ts";
@@ -34,12 +34,12 @@ export function header(app: App): View {
   </header>`;
 }
 
-/** Which puzzle is open, where a lesson leads to no other. */
+/** The name of the puzzle, where a lesson offers no others. */
 function title({ text, puzzle }: State): View {
   return html`<div class="picker"><h1>${text.puzzle.name(puzzle.about)}</h1></div>`;
 }
 
-/** How far one has come in a lesson. */
+/** Progress in a lesson. */
 function place({ text, puzzle, route: { lesson } }: State): View {
   const index = lesson.indexOf(puzzle.about.id ?? "");
   return index < 0 ? nothing : html`<span>${text.share.place(index + 1, lesson.length)}</span>`;

@@ -1,4 +1,4 @@
-// The home page around its scene: what this is, what to begin with, and the kinds of puzzles.
+// The home page around its scene: what Pathlight is, puzzles to start with, and the kinds of puzzles.
 
 import { html, nothing, svg } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
@@ -31,11 +31,11 @@ export function headline({ store }: App): View {
     <p class="quiet">${text.home.about}</p>`;
 }
 
-/** What to begin with, besides the puzzle in the picture. */
+/** Puzzles to start with, in addition to the one in the picture. */
 export function picks({ store }: App): View {
   const { state } = store;
   const { text, device, kept, recorded } = state;
-  // None of it depends on what moves in the picture.
+  // Nothing here depends on what moves in the picture.
   return html`${guard([text, device, kept.attempts, recorded, isDark(state)], () => {
     const daily = taskOfDay(benchmark(), device.day);
     const unsolved = unsolvedTask(state);
@@ -49,7 +49,7 @@ export function picks({ store }: App): View {
   })}`;
 }
 
-/** The puzzle with the fewest bodies: whoever makes one begins with it. */
+/** The puzzle with the fewest bodies, with which making a puzzle starts. */
 const EMPTIEST = "00000:000";
 
 function pick(state: State, task: string, title: string, hint: string, href = hrefOf(task)): View {
@@ -64,7 +64,7 @@ function pick(state: State, task: string, title: string, hint: string, href = hr
 
 let kinds: Kind[] | null = null;
 
-/** The kinds, the easiest first, each with the next puzzle of it that is new to person and model. */
+/** The kinds, the easiest first, each with its next puzzle that is new to person and model. */
 export function gallery(app: App): View {
   const { store } = app;
   const { state } = store;
@@ -109,7 +109,7 @@ function tile(state: State, kind: Kind): View {
   </li>`;
 }
 
-/** The path that the model imagines, as a line that is drawn from its start. */
+/** The path that the model imagines, as a line drawn from its start. */
 function imagined(path: readonly number[]): View {
   const points = path.map((value, index) => (index % 2 ? SCENE_SIZE - value : value)).join(" ");
   return html`<svg class="imagined" viewBox="0 0 ${SCENE_SIZE} ${SCENE_SIZE}" aria-hidden="true">

@@ -22,7 +22,7 @@ export function imagine(app: App): View {
   return html`${walkthrough(app)} ${maps ? tiles(app, maps) : nothing} ${how(state)} ${badge(app)}`;
 }
 
-/** The way through the steps, and what the present one shows. */
+/** Navigation through the steps, and the content of the current one. */
 export function walkthrough(app: App): View {
   const { state } = app.store;
   const { text, route } = state;
@@ -80,7 +80,7 @@ function steps({ store }: App): View {
   </div>`;
 }
 
-/** What a step shows on this puzzle, beside the scene. */
+/** What a step shows for this puzzle, next to the scene. */
 function found({ route, answers, model, text }: State): string {
   if (model.kind !== "ready") return "";
   if (route.step === "run") return answers.turn.length === 0 ? text.imagine.waiting : "";
@@ -125,7 +125,7 @@ function nameOf(words: Text["imagine"], part: MapName | Step): string {
   return part === "success" ? words.works : words.steps[part][0];
 }
 
-/** Of the step, or of all. */
+/** Explains how the step works, or all steps. */
 function how({ route: { step }, text: { imagine } }: State): View {
   const parts =
     step === "placement" ? (["placement", "success"] as const) : step ? [step] : [...MAPS, ...STEPS.slice(4)];

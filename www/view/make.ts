@@ -1,4 +1,4 @@
-// The panel Make: bodies to add, what the selected one is, its numbers, and the puzzle to keep or send.
+// The panel Make: bodies to add, the selected one with its numbers, and ways to keep or send the puzzle.
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
@@ -41,13 +41,13 @@ export function make(app: App): View {
   const { text } = state;
   return html`${tools(app)} ${selected(app)} ${details(app)} ${check(app)}
   ${
-    // The check takes its place in the scene.
+    // The check replaces it in the scene.
     state.check ? nothing : checkbox(state.kept.live, text.make.live, (live) => store.change(choose, { live }))
   }
   ${keeping(app)} ${yours(app)}`;
 }
 
-/** What is wrong, beside the body that has it. */
+/** Shows a problem next to the body that has it. */
 export function problem({ store }: App): View {
   const { state } = store;
   const [first] = problemsHere(state);
@@ -63,18 +63,18 @@ export function problem({ store }: App): View {
   return html`<p class="problem" .style=${place}>${problemWords(state, first)}</p>`;
 }
 
-/** What is wrong with the scene that is made, while it is seen. */
+/** Problems of the scene being made, while it is visible. */
 export function problemsHere(state: State): readonly SceneProblem[] {
   if (shownPanel(state) !== "make") return [];
   const { scene, selected } = making(state);
-  // The body that the person has in hand is the one that is in the way of others.
+  // Report the body that the person is handling as the one in the way of others.
   const turned = problemsOf(scene).map((one) =>
     one.other === selected && one.other !== null ? { ...one, body: one.other, other: one.body } : one,
   );
   return turned.sort((one, other) => Number(other.body === selected) - Number(one.body === selected));
 }
 
-/** The selected body and what is wrong, for whoever cannot see it. */
+/** The selected body and its problems, for screen readers. */
 export function madeInWords(state: State): string {
   const { scene, selected } = making(state);
   const body = selectedBody(state);
@@ -168,7 +168,7 @@ function details({ store }: App): View {
   }
 }
 
-/** The largest number that is taken: a body further away could not be found again. */
+/** The largest accepted number: a body further away could not be found again. */
 const FARTHEST = 1e5;
 
 function number(label: string, value: number, onTyped: (value: number) => void): View {
@@ -180,7 +180,7 @@ function number(label: string, value: number, onTyped: (value: number) => void):
   function typed({ target }: Event): void {
     const field = target as HTMLInputElement;
     const now = field.valueAsNumber;
-    // A field that is emptied, or far off, gets its number back.
+    // Reset a field that is empty or out of range.
     field.value = shown;
     if (Math.abs(now) <= FARTHEST) onTyped(now);
   }
@@ -219,7 +219,7 @@ function keeping({ store }: App): View {
   function named({ target }: Event): void {
     const field = target as HTMLInputElement;
     const { value } = field;
-    // Without what is not taken of it.
+    // Drop characters that were not accepted.
     field.value = scene.name ?? "";
     store.change(rename, value);
   }
@@ -241,7 +241,7 @@ function keeping({ store }: App): View {
   }
 }
 
-/** The kept puzzles; nothing while there are none. */
+/** The kept puzzles; nothing if there are none. */
 export function yours({ store }: App): View {
   const { kept, text } = store.state;
   const puzzles = Object.entries(kept.puzzles).flatMap(([key, { scene }]) =>
@@ -264,7 +264,7 @@ export function yours({ store }: App): View {
   </details>`;
 
   function forget({ currentTarget }: Event, key: string): void {
-    // The button goes with the puzzle.
+    // The button is removed with the puzzle.
     (currentTarget as Element).closest("details")!.querySelector("summary")!.focus();
     store.change(keepPuzzles, { [key]: null }, Date.now());
   }

@@ -1,4 +1,4 @@
-// What there is to say now: the ball's place, the verdict of a round.
+// Current messages: the ball's place, or the verdict of a round.
 
 import { html, nothing } from "lit-html";
 import { openSheet } from "../core/change/sheet.ts";
@@ -39,7 +39,7 @@ export function news(app: App): View {
   </div>`;
 }
 
-/** The same for a screen reader, once nothing moves: it would never come to an end. */
+/** The same for a screen reader, once nothing moves; otherwise it would never stop reading. */
 export function announcement(state: State): string {
   const { placement, sketch, make, run, check } = state;
   if (placement.drag || sketch.drawing || make?.drag || run?.playing || check?.seeking || introShown(state)) return "";
@@ -52,7 +52,7 @@ export function announcement(state: State): string {
   return told ? [state.text.play.verdict(told), ...details(state, told)].join(" ") : hint(state);
 }
 
-/** The scene for people who cannot see it. */
+/** Describes the scene for people who cannot see it. */
 export function description(state: State): string {
   const { puzzle, placement, text } = state;
   const [object, target] = goal(state);
@@ -68,7 +68,7 @@ export function description(state: State): string {
   return [text.puzzle.goal(object, target), text.puzzle.scene(object, target, others), where].join(" ");
 }
 
-/** What came of a prediction, or of the model's favourite at the end of its walkthrough. */
+/** The outcome of a prediction, or of the model's favourite at the end of its walkthrough. */
 function result(state: State): [outcome: string, details: string] | null {
   const { text } = state;
   const predicted = prediction(state);
@@ -95,7 +95,7 @@ function hint(state: State): string {
   return route.challenge && attempts(state).length === 0 ? text.share.challenge(route.challenge) : text.play.placeFirst;
 }
 
-/** What the show on the home page shows. */
+/** Caption of the show on the home page. */
 function caption(state: State): string {
   const { futures } = state.answers;
   if (!futures) return state.text.home.waiting;
@@ -123,7 +123,7 @@ function details({ text, route }: State, told: Verdict): string[] {
   ].filter((sentence) => sentence !== null);
 }
 
-/** The model's solution is veiled until it is asked for, so that the puzzle stays the person's. */
+/** The model's solution is hidden until the person asks for it, so that the puzzle stays theirs. */
 function unveil({ store }: App): View {
   const modelAt = modelSolvedAt(store.state);
   if (modelAt === null || playerSolvedAt(store.state) !== null) return nothing;

@@ -1,5 +1,5 @@
-// The page as a whole: header, notice, the scene with its controls and verdict; beside it panels, or what to begin
-// with.
+// The page as a whole: header, notice, the scene with its controls and verdict, and next to it panels or puzzles to
+// start with.
 
 import { html, nothing } from "lit-html";
 import { present } from "../core/change/route.ts";
@@ -40,7 +40,7 @@ export function page(app: App): View {
   </div>`;
 }
 
-/** What is asked, what happens in the puzzle, and how hard it is. */
+/** The task, what happens in the puzzle, and how hard it is. */
 function task({ store }: App): View {
   const { state } = store;
   const { text, puzzle, device } = state;

@@ -1,4 +1,4 @@
-// The panels beside the scene. To add one: name it in core/change/route.ts, and here.
+// The panels next to the scene. To add one, name it in core/change/route.ts and here.
 
 import { html, nothing } from "lit-html";
 import { openPanel } from "../core/change/route.ts";

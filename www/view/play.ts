@@ -11,7 +11,7 @@ import { checkbox } from "./widgets.ts";
 import type { Round } from "../core/derived/duel.ts";
 import type { App, View } from "./view.ts";
 
-/** After as many misses in a row the check is offered. */
+/** Number of misses in a row after which the check is offered. */
 const MISSES = 3;
 
 export function play(app: App): View {

@@ -1,4 +1,4 @@
-// The sheets over the page: one at a time, closed by its button, by Escape, or by a click beside it.
+// The sheets over the page: one at a time, closed by its button, by Escape, or by a click outside it.
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
@@ -40,7 +40,7 @@ export function sheets(app: App): View {
   }
 }
 
-/** It is in the document only after it has been rendered. */
+/** Shows a sheet once it has been rendered into the document. */
 function show(element: Element | undefined): void {
   queueMicrotask(() => {
     const dialog = element as HTMLDialogElement | undefined;
@@ -138,7 +138,7 @@ function lessonSheet({ store }: App): View {
   }
 }
 
-/** Names of this machine, which mean another one elsewhere. */
+/** Names of this machine, which mean another machine elsewhere. */
 const OWN_MACHINE = /^(localhost|127\.|\[::1\])/;
 
 function about({ store }: App): View {

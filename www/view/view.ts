@@ -1,4 +1,4 @@
-// What every view is: a function of the state to a template. It has the store for what its controls ask for.
+// A view: a function from the state to a template. It gets the store for the actions of its controls.
 
 import type { TemplateResult, nothing } from "lit-html";
 import type { State } from "../core/state.ts";
@@ -10,10 +10,10 @@ export type View = TemplateResult | typeof nothing;
 export interface App {
   readonly store: Store<State>;
   readonly canvas: HTMLCanvasElement;
-  /** Over it, while a finger drags. */
+  /** The magnifier over the canvas, while a finger drags. */
   readonly loupe: HTMLCanvasElement;
-  /** In a page of somebody else. */
+  /** Whether the puzzle is embedded in another page. */
   readonly embedded: boolean;
-  /** What is shown so far: the scene, what stands beside it, what lies below. A frame each, so that none takes long. */
+  /** Parts shown so far: the scene, then those next to it, then those below. A frame each, so that none takes long. */
   parts: 1 | 2 | 3;
 }

@@ -50,10 +50,10 @@ impl From<SelectionArgs> for TaskSelection {
     }
 }
 
-/// Find balls that solve the tasks among uniform random ones, to train on
+/// Find solutions of the tasks by drawing balls uniformly, to train on
 #[derive(clap::Args)]
 pub struct Collect {
-    /// File to write, or to continue
+    /// File to write or continue
     #[arg(long, default_value = SOLUTIONS)]
     out: PathBuf,
 
@@ -81,10 +81,10 @@ impl Collect {
     }
 }
 
-/// Try balls on all tasks and keep their outcomes, to train a success net, a dynamics net or DQN on
+/// Simulate balls on all tasks and record their outcomes, to train a success net, a dynamics net or DQN
 #[derive(clap::Args)]
 pub struct Label {
-    /// File to write, or to continue
+    /// File to write or continue
     #[arg(long, default_value = LABELS)]
     out: PathBuf,
 
@@ -92,21 +92,21 @@ pub struct Label {
     #[arg(long, default_value = SOLUTIONS)]
     solutions: PathBuf,
 
-    /// Rounds; every scene tries 64 balls per round
+    /// Number of rounds; each tries 64 balls per scene
     #[arg(long, default_value_t = label::Settings::default().rounds, value_parser = count())]
     rounds: usize,
 
     #[command(flatten)]
     selection: SelectionArgs,
 
-    /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
-    /// round takes the next 64. The net has to be of the fold of --setup; without --setup, it has to have learned from
+    /// Label the balls that the dynamics net in FILE proposes, likeliest first, instead of sampled ones; each round
+    /// takes the next 64. The net must belong to the fold of --setup; without --setup, it must have been trained on
     /// random scenes alone
     #[arg(long, value_name = "FILE")]
     weights: Option<PathBuf>,
 
-    /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
-    /// of the others
+    /// Label balls in random scenes instead of tasks: of the first N scenes, all that some ball solves and a sixth of
+    /// the rest
     #[arg(
         long,
         value_name = "N",
@@ -115,13 +115,12 @@ pub struct Label {
     )]
     random_scenes: Option<u32>,
 
-    /// Label balls in unlisted tasks instead: up to N of each template, laid out by its script but not in the
-    /// benchmark. Balls are sampled around the solutions of the template's tasks
+    /// Label balls in unlisted tasks instead, up to N per template: tasks that its script lays out but the benchmark
+    /// does not list. Balls are sampled around solutions of the template's listed tasks
     #[arg(long, value_name = "N", value_parser = count(), conflicts_with = "limit")]
     unlisted: Option<usize>,
 
-    /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
-    /// sampled around
+    /// Label only the training tasks of one fold of this setup, and sample only around their solutions
     #[arg(long, value_parser = setup(), requires = "fold")]
     setup: Option<Setup>,
 
@@ -159,7 +158,7 @@ impl Label {
     }
 }
 
-/// Measure how hard the tasks are: how many of the same number of uniformly drawn valid balls solve each, as JSON
+/// Measure how hard each task is: how many of N uniformly drawn valid balls solve it, as JSON
 #[derive(clap::Args)]
 pub struct Difficulty {
     /// Valid balls per task

@@ -7,18 +7,18 @@ use pathlight_lab::reproduce::RESULTS;
 
 use super::print_paths;
 
-/// Draw the figures of the models on the page: what they imagine for some tasks, and the tasks solved within k attempts
+/// Draw figures of the models on the page: imagined maps and paths for some tasks, and tasks solved within k attempts
 #[derive(clap::Args)]
 pub struct Args {
-    /// Folder of the results, with the folder shipped/
+    /// Folder of the results, which contains shipped/
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
     results: PathBuf,
 
-    /// The folder of the weights of the models on the page
+    /// Folder with the weights of the models on the page
     #[arg(long, value_name = "DIR", default_value = "assets")]
     assets: PathBuf,
 
-    /// The folder of the figures [default: figures/ in that of the results]
+    /// Folder to write the figures to [default: figures/ in the folder of the results]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

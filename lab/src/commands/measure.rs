@@ -44,19 +44,19 @@ impl Command {
 /// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Evaluate {
-    /// Agent to measure; can be repeated. The random agent is always measured too [default: every agent that
-    /// the weights allow except online-by-balls and listed; dqn only with --dqn]
+    /// Agent to measure; can be repeated. The random agent is always measured too [default: every agent that the
+    /// weights support, except online-by-balls and listed; dqn only with --dqn]
     #[arg(long = "agent", value_parser = agent())]
     agents: Vec<AgentName>,
 
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Use the dev tasks, to choose settings on, instead of the test tasks
+    /// Measure on the dev tasks instead of the test tasks, to choose settings
     #[arg(long)]
     dev: bool,
 
-    /// Use at most the first N of these tasks of each template
+    /// Use at most the first N of these tasks per template
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     limit: Option<u16>,
 
@@ -64,7 +64,7 @@ pub struct Evaluate {
     #[arg(long, default_value_t = 0)]
     seed: u64,
 
-    /// Write the settings and the first solving attempt of every task to this file, as JSON
+    /// Write the settings and the first solving attempt at every task to this file, as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 
@@ -80,12 +80,12 @@ pub struct Evaluate {
     #[arg(long, value_name = "FILE")]
     dqn: Option<PathBuf>,
 
-    /// Measure the agents that can remember with a memory too: what the attempts at one task taught is used for the
-    /// next, in order of ids
+    /// Measure the agents that support a memory with one too: they play the tasks in order of ids and use at each task
+    /// what they learned from the attempts at earlier ones
     #[arg(long, conflicts_with = "engine")]
     memory: bool,
 
-    /// With a memory also in an order shuffled with this seed; can be repeated
+    /// With a memory, also play the tasks in an order shuffled with this seed; can be repeated
     #[arg(long = "shuffle", value_name = "SEED", requires = "memory")]
     shuffles: Vec<u64>,
 }
@@ -115,25 +115,25 @@ impl Evaluate {
     }
 }
 
-/// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold or in random scenes
+/// Measure how well the dynamics net imagines paths and outcomes, on the test tasks of a fold or in random scenes
 #[derive(clap::Args)]
 pub struct Forecasts {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Measure on the dev tasks, to choose settings on
+    /// Measure on the dev tasks instead of the test tasks, to choose settings
     #[arg(long, conflicts_with = "random_scenes")]
     dev: bool,
 
-    /// Measure in this many random scenes, which no net has seen
+    /// Measure in N random scenes, which no net has seen, instead of on tasks
     #[arg(long, value_name = "N", value_parser = random_scenes(), conflicts_with = "limit")]
     random_scenes: Option<u32>,
 
-    /// Random balls for each scene; solutions come on top
+    /// Random balls per scene, in addition to solutions
     #[arg(long, value_name = "N", default_value_t = forecasts::Settings::default().balls)]
     balls: usize,
 
-    /// Solutions, from `data collect`
+    /// Solutions from `data collect`
     #[arg(long, default_value = SOLUTIONS)]
     solutions: PathBuf,
 
@@ -159,13 +159,13 @@ impl Forecasts {
     }
 }
 
-/// Measure how often balls of a given predicted chance solve, on the test tasks of a fold
+/// Measure how often balls with a given predicted chance solve, on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Calibration {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Random balls for each task, and as many of the model's candidates
+    /// Random balls per task, and the same number of the model's candidates
     #[arg(
         long,
         value_name = "N",
@@ -215,15 +215,15 @@ pub struct Fidelity {
     engine: EngineArg,
 }
 
-/// Writes the file, if one is named, and returns the table to print. The file comes first, so that a closed pipe does
-/// not lose it.
+/// Writes the file, if one is named, and returns the table to print. The file is written first, so that a closed pipe
+/// does not lose it.
 ///
 /// # Errors
-/// If it cannot be written; then the table has been printed, so that the measurement is not lost.
+/// If the file cannot be written. The table has then been printed, so that the measurement is not lost.
 fn write_json(path: Option<&Path>, value: &impl Serialize, table: String) -> anyhow::Result<String> {
     let written = json_file::write(path, value);
     if written.is_err() {
-        // The error that is told is that of the file.
+        // Return the error of the file, not that of standard output.
         let _ = writeln!(io::stdout(), "{table}");
     }
     written.map(|()| table)

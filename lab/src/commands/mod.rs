@@ -1,8 +1,8 @@
 //! The command line of the lab: a module for each group of commands.
 //!
-//! A command makes the settings of a function of the library from its arguments, calls it, and prints what it returns.
-//! The rules of `pathlight` hold here too: results go to standard output, progress and messages to standard error, bad
-//! input is an error with exit code 2, and a closed pipe ends a command quietly.
+//! A command turns its arguments into the settings of a library function, calls it, and prints the result. The rules of
+//! `pathlight` apply here too: results go to standard output, progress and messages to standard error, bad input is an
+//! error with exit code 2, and a closed pipe ends a command quietly.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -33,13 +33,13 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Make what nets learn from, and measure how hard the tasks are
+    /// Make training data, and measure how hard the tasks are
     #[command(subcommand)]
     Data(data::Command),
     /// Train nets on a fold
     #[command(subcommand)]
     Train(train::Command),
-    /// Measure agents and nets on test tasks, and the simulator beside PHYRE's
+    /// Measure agents and nets on test tasks, and compare the simulator with PHYRE's
     #[command(subcommand)]
     Measure(measure::Command),
     Reproduce(reproduce::Args),
@@ -49,7 +49,7 @@ enum Command {
     Publish(publish::Command),
 }
 
-/// Runs the command that the process was started with.
+/// Parses the arguments of the process and runs the command.
 pub fn run() -> ExitCode {
     let result = CommandLine::parse().command.run(&mut ShownProgress::default());
     exit::code(result.map(|()| ExitCode::SUCCESS))
@@ -68,8 +68,8 @@ impl Command {
     }
 }
 
-/// Prints the files that were written. All are there before anything is printed, so that a closed pipe does not stop
-/// halfway.
+/// Prints the paths of written files. All files are written before any path is printed, so that a closed pipe stops
+/// nothing halfway.
 fn print_paths(paths: &[PathBuf]) -> anyhow::Result<()> {
     let mut out = io::stdout().lock();
     for path in paths {

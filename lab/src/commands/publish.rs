@@ -11,27 +11,27 @@ use super::print_paths;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
-    /// Copy trained weights, rounded, to the assets, where the page loads them from
+    /// Round trained weights and copy them to the assets, from which the page loads them
     Weights {
-        /// Weights files of `train paths`, `train success` or `train dynamics`; without any, only the list is rewritten
+        /// Weights files from `train paths`, `train success` or `train dynamics`; if none, only the list is rewritten
         weights: Vec<PathBuf>,
 
-        /// The folder that the page loads weights from
+        /// Folder that the page loads weights from
         #[arg(long, default_value = "assets")]
         assets: PathBuf,
     },
-    /// Collect the measurements of the shipped models into the file from which the page shows them
+    /// Collect the measurements of the shipped models in the file that the page shows
     Results {
-        /// The folder of NAME.json, from `measure evaluate --json`, and NAME-calibration.json, from `measure
-        /// calibration --json`
+        /// Folder with NAME.json, from `measure evaluate --json`, and NAME-calibration.json, from `measure calibration
+        /// --json`
         #[arg(long, default_value = "results/shipped")]
         results: PathBuf,
 
-        /// The folder of the results of `reproduce`, whose means stand beside published figures
+        /// Folder of the results of `reproduce`, whose means are compared with published figures
         #[arg(long, value_name = "DIR", default_value = RESULTS)]
         main: PathBuf,
 
-        /// The folder that the page loads from, whose model.json names the models
+        /// Folder that the page loads from; its model.json lists the models
         #[arg(long, default_value = "assets")]
         assets: PathBuf,
     },

@@ -18,34 +18,34 @@ use pathlight_lab::reproduce::{COMMAND, RESULTS, report};
 
 use super::CommandLine;
 
-/// Make all results by their recipes, continuing where an earlier run stopped, and the table of them
+/// Make all results by their recipes, then the table of results, continuing where an earlier run stopped
 #[derive(clap::Args)]
 pub struct Args {
     /// Do only this part
     #[arg(long, value_enum)]
     only: Option<Part>,
 
-    /// Only the results of this recipe, like tasks; can be repeated
+    /// Make only the results of this recipe, for example tasks; can be repeated
     #[arg(long = "recipe", value_name = "NAME")]
     names: Vec<String>,
 
-    /// Only folds of this setup
+    /// Use only folds of this setup
     #[arg(long, value_parser = setup())]
     setup: Option<Setup>,
 
-    /// Only this fold; can be repeated [default: all ten]
+    /// Use only this fold; can be repeated [default: all ten]
     #[arg(long = "fold", value_name = "FOLD", value_parser = fold)]
     folds: Vec<u8>,
 
-    /// Folder of the results and of the table
+    /// Folder of the results and the table
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
     results: PathBuf,
 
-    /// Folder of data and training runs, which results share
+    /// Folder of data and training runs, which recipes share
     #[arg(long, value_name = "DIR", default_value = "target/reproduce")]
     runs: PathBuf,
 
-    /// Follow these recipes, in the format of lab/recipes.toml, instead of those
+    /// Use the recipes in this file instead of lab/recipes.toml, in the same format
     #[arg(long, value_name = "FILE")]
     recipes: Option<PathBuf>,
 }
@@ -54,7 +54,7 @@ pub struct Args {
 enum Part {
     /// Training and evaluation: a JSON file per recipe, setup and fold
     Results,
-    /// README.md of the existing results
+    /// README.md with the table of the existing results
     Report,
 }
 
@@ -65,7 +65,7 @@ impl Args {
             Some(path) => {
                 let name = path.display();
                 let text = fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
-                Recipes::parse(&text).with_context(|| format!("cannot follow {name}"))?
+                Recipes::parse(&text).with_context(|| format!("cannot use the recipes in {name}"))?
             }
         };
         let named = self.names.iter().map(|name| recipes.named(name)).collect::<anyhow::Result<Vec<&Recipe>>>()?;
@@ -78,7 +78,7 @@ impl Args {
             }
         }
         if self.only != Some(Part::Results) {
-            // All is written before anything is printed, so that a closed pipe does not stop halfway.
+            // Write the file before printing, so that a closed pipe does not lose it.
             let text = report::text(&self.results, &recipes)?;
             replace_file(&self.results.join("README.md"), text.as_bytes())?;
             io::stdout().write_all(text.as_bytes())?;
@@ -86,14 +86,14 @@ impl Args {
         Ok(())
     }
 
-    /// The folds to make results of, both setups of a fold one after the other.
+    /// Folds to make results for. Both setups of a fold are adjacent.
     fn chosen_folds(&self) -> Vec<FoldId> {
         let folds = if self.folds.is_empty() { (0..FOLDS).collect() } else { self.folds.clone() };
         let setups = self.setup.map_or(vec![Setup::Within, Setup::Cross], |setup| vec![setup]);
         folds.into_iter().flat_map(|fold| setups.iter().map(move |&setup| FoldId { setup, fold })).collect()
     }
 
-    /// Makes the result of a fold by a recipe, unless its file exists.
+    /// Makes the result of a recipe on a fold, unless its file exists.
     fn make(
         &self,
         recipes: &Recipes,
@@ -112,7 +112,7 @@ impl Args {
         let file = |ending| self.runs.join(format!("{}-{fold}.{ending}", recipe.name));
         let (measured, spent) = (file("json"), file("minutes"));
         let mut minutes = read_minutes(&spent)?;
-        // All are read before hours are spent on the first.
+        // Parse all steps before spending hours on the first.
         let commands = steps.iter().map(|step| {
             let words = words(step, fold, &self.runs, &measured);
             let line = format!("pathlight-lab {}", words.join(" "));
@@ -135,7 +135,7 @@ impl Args {
     }
 }
 
-/// What an interrupted run has spent on a result.
+/// Reads the core-minutes that an interrupted run has spent on a result.
 fn read_minutes(path: &Path) -> anyhow::Result<f64> {
     if path.exists() { json_file::read(path, COMMAND) } else { Ok(0.0) }
 }

@@ -1,4 +1,4 @@
-//! The arguments that several commands share, most of them of trainings.
+//! Arguments that several commands share, most of them for training.
 
 use std::path::PathBuf;
 
@@ -11,33 +11,33 @@ pub fn at_least_one() -> impl TypedValueParser<Value = u16> {
     clap::value_parser!(u16).range(1..)
 }
 
-/// A number from 1 to 2^32 - 1: counts are multiplied, so they need an upper bound too.
+/// Parses a count from 1 to 2^32 - 1. Counts are multiplied, so they need an upper bound too.
 pub fn count() -> impl TypedValueParser<Value = usize> {
     RangedU64ValueParser::new().range(1..=u64::from(u32::MAX))
 }
 
-/// A number of random scenes, whose ids are listed in memory.
+/// Parses a number of random scenes. It is bounded because a list of their ids is held in memory.
 pub fn random_scenes() -> impl TypedValueParser<Value = u32> {
     clap::value_parser!(u32).range(1..=10_000_000)
 }
 
-/// How to train, and where the run is kept.
+/// How to train, and where to keep the run.
 #[derive(clap::Args)]
 pub struct RunArgs {
     /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD for the four
-    /// nets, and success, dynamics or dqn in it for the others]
+    /// nets, and its subfolder success, dynamics or dqn for the other nets]
     #[arg(long)]
     out: Option<PathBuf>,
 
-    /// Samples per batch for the four nets, scenes per batch for the others
+    /// Samples per batch for the four nets, scenes per batch for the other nets
     #[arg(long, default_value_t = LabelsRecipe::default().batch, value_parser = at_least_one())]
     pub batch: u16,
 
-    /// Highest learning rate
+    /// Peak learning rate
     #[arg(long, default_value_t = LabelsRecipe::default().learning_rate, value_parser = learning_rate)]
     pub learning_rate: f64,
 
-    /// Batches between two checkpoints, and between two lines of losses.csv
+    /// Batches between checkpoints, and between lines of losses.csv
     #[arg(
         long,
         value_name = "BATCHES",
@@ -50,7 +50,7 @@ pub struct RunArgs {
     #[arg(long, value_name = "BATCHES")]
     stop_after: Option<usize>,
 
-    /// Seed of the initial weights, and of the order of the samples or scenes
+    /// Seed of the initial weights and of the order of the samples or scenes
     #[arg(long, default_value_t = 0)]
     seed: u64,
 }
@@ -72,7 +72,7 @@ impl From<RunArgs> for RunSettings {
     }
 }
 
-/// Parses a learning rate: with 0 nothing would be learned.
+/// Parses a learning rate. Zero is refused because nothing would be learned.
 fn learning_rate(text: &str) -> Result<f64, String> {
     let rate = text.parse::<f64>().ok().filter(|rate| rate.is_finite() && *rate > 0.0);
     rate.ok_or_else(|| "give a number above 0, like 0.001".to_string())
@@ -83,7 +83,7 @@ fn learning_rate(text: &str) -> Result<f64, String> {
 pub enum OptimiserName {
     #[default]
     Adam,
-    /// Muon for the weights of the layers, Adam for all else: learns more in the same number of batches
+    /// Muon for the weights of the layers, Adam for everything else; learns more in the same number of batches
     Muon,
 }
 
@@ -117,6 +117,6 @@ impl From<PathWeightsArgs> for PathWeights {
 fn weight(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(weight) if weight > 0.0 && weight < f64::INFINITY => Ok(weight),
-        _ => Err("it has to be a number above 0".into()),
+        _ => Err("give a number above 0".into()),
     }
 }

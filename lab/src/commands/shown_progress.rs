@@ -1,8 +1,8 @@
-//! The progress of the library's functions on standard error.
+//! Shows the progress of the library's functions on standard error.
 
 use pathlight::command_line::progress::{Progress, say};
 
-/// Shows a bar for the piece of work that is under way.
+/// Shows a progress bar for the current piece of work.
 #[derive(Default)]
 pub struct ShownProgress {
     work: Option<Progress>,

@@ -53,11 +53,11 @@ pub struct Paths {
     #[arg(long, value_name = "EPOCHS", default_value_t = PathsRecipe::default().decay_epochs)]
     decay_epochs: usize,
 
-    /// Show half of the samples mirrored left to right: PHYRE's world is symmetric
+    /// Mirror half of the samples left to right; PHYRE's world is symmetric
     #[arg(long)]
     mirror: bool,
 
-    /// Leave the dev tasks out of training, so that settings can be chosen on them with `measure evaluate --dev`
+    /// Train without the dev tasks, so that settings can be chosen on them with `measure evaluate --dev`
     #[arg(long)]
     without_dev: bool,
 
@@ -79,8 +79,8 @@ impl From<Paths> for paths::Settings {
     }
 }
 
-/// Train the net that predicts which balls solve, and add it to the weights of the four nets; a dynamics net in them is
-/// left out
+/// Train the success net, which predicts which balls solve, and add it to the weights of the four nets; it replaces a
+/// dynamics net in them
 #[derive(clap::Args)]
 pub struct Success {
     #[command(flatten)]
@@ -90,7 +90,7 @@ pub struct Success {
     #[arg(long)]
     weights: Option<PathBuf>,
 
-    /// Balls with their outcome, from `data label`
+    /// Labelled balls from `data label`
     #[arg(long, default_value = LABELS)]
     labels: PathBuf,
 
@@ -98,7 +98,7 @@ pub struct Success {
     #[arg(long, default_value_t = success::Settings::default().epochs, value_parser = count())]
     epochs: usize,
 
-    /// Balls of each scene in a batch, sampled anew each time
+    /// Balls per scene in a batch, resampled for each batch
     #[arg(
         long,
         value_name = "N",
@@ -122,7 +122,7 @@ impl From<Success> for success::Settings {
     }
 }
 
-/// Train the net that imagines what balls lead to, and add it to the weights of the four nets
+/// Train the dynamics net, which imagines the paths and outcomes of balls, and add it to the weights of the four nets
 #[derive(clap::Args)]
 pub struct Dynamics {
     #[command(flatten)]
@@ -132,7 +132,7 @@ pub struct Dynamics {
     #[arg(long)]
     weights: Option<PathBuf>,
 
-    /// Balls with their outcomes and paths, from `data label`; can be repeated
+    /// Labelled balls from `data label`; can be repeated
     #[arg(long, default_value = LABELS)]
     labels: Vec<PathBuf>,
 
@@ -140,7 +140,7 @@ pub struct Dynamics {
     #[arg(long, default_value_t = dynamics::Settings::default().epochs, value_parser = count())]
     epochs: usize,
 
-    /// Balls of each scene in a batch, sampled anew each time
+    /// Balls per scene in a batch, resampled for each batch
     #[arg(
         long,
         value_name = "N",
@@ -149,7 +149,7 @@ pub struct Dynamics {
     )]
     balls_per_scene: u16,
 
-    /// Of these, balls whose paths are learned
+    /// Balls per scene in a batch whose paths are learned too; at most --balls-per-scene
     #[arg(
         long,
         value_name = "N",
@@ -165,11 +165,11 @@ pub struct Dynamics {
     #[arg(long, value_enum, default_value_t)]
     optimiser: OptimiserName,
 
-    /// Leave the fold's dev tasks out, so that settings may be chosen on them
+    /// Train without the fold's dev tasks, so that settings can be chosen on them
     #[arg(long)]
     without_dev: bool,
 
-    /// Start from the dynamics net of these weights, not from fresh weights
+    /// Start from the dynamics net in this file instead of random weights
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
 
@@ -199,13 +199,13 @@ impl From<Dynamics> for dynamics::Settings {
     }
 }
 
-/// Train DQN, the benchmark's baseline: a net that says how likely an action solves a scene
+/// Train DQN, the benchmark's baseline: a net that predicts how likely an action is to solve a scene
 #[derive(clap::Args)]
 pub struct Dqn {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Balls with their outcome, from `data label`; can be repeated
+    /// Labelled balls from `data label`; can be repeated
     #[arg(long, default_value = LABELS)]
     labels: Vec<PathBuf>,
 
@@ -213,7 +213,7 @@ pub struct Dqn {
     #[arg(long, default_value_t = dqn::Settings::default().epochs, value_parser = count())]
     epochs: usize,
 
-    /// Balls of each scene in a batch, half of them solutions, sampled anew each time
+    /// Balls per scene in a batch, half of them solutions, resampled for each batch
     #[arg(
         long,
         value_name = "N",
@@ -226,7 +226,7 @@ pub struct Dqn {
     #[arg(long, value_enum, default_value_t)]
     optimiser: OptimiserName,
 
-    /// Leave the fold's dev tasks out, so that settings may be chosen on them
+    /// Train without the fold's dev tasks, so that settings can be chosen on them
     #[arg(long)]
     without_dev: bool,
 

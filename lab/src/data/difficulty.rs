@@ -1,4 +1,4 @@
-//! How many uniformly drawn valid balls solve each task, as in difficulty.json of `pathlight::benchmark`.
+//! Counts how many uniformly drawn valid balls solve each task, for difficulty.json of `pathlight::benchmark`.
 
 use pathlight::benchmark::difficulty::Difficulty;
 use pathlight::puzzle::action::Obstacles;
@@ -16,7 +16,7 @@ use crate::progress::Progress;
 pub struct Settings {
     /// Valid balls per task.
     pub balls: u32,
-    /// Only the first tasks of each template.
+    /// Maximum number of tasks per template; the first are used.
     pub limit: usize,
     /// Seed of the balls.
     pub seed: u64,

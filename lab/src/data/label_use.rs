@@ -1,26 +1,26 @@
-//! Which labelled balls a net may learn from, so that it learns nothing of the tasks that it is tested on.
+//! Rules for which labelled balls a net may learn from, so that nothing about its test tasks leaks into training.
 
 use pathlight::benchmark::folds::{FoldId, Setup};
 
-/// Where the balls of a file come from.
+/// Origin of the balls of a file.
 #[derive(Clone, Copy, Debug)]
 pub struct LabelOrigin {
-    /// The fold whose training tasks alone were used; `None` if all tasks were.
+    /// The fold whose training tasks alone were used; `None` if all tasks were used.
     pub training_tasks_of: Option<FoldId>,
-    /// The net that proposed them; `None` if they were sampled, uniformly and around known solutions.
+    /// The net that proposed the balls; `None` if they were sampled, uniformly and around known solutions.
     pub proposer: Option<Proposer>,
 }
 
-/// What the net that proposed balls has learned from.
+/// Training data of the net that proposed the balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proposer {
-    /// Random scenes alone, so it knows no task.
+    /// Random scenes alone: it has seen no task.
     RandomScenes,
     /// Training tasks of the fold, with or without its dev tasks.
     Tasks { without_dev: bool },
 }
 
-/// Why a net may not learn from a file; follows the name of the file.
+/// Why a net may not learn from a file. The text follows the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
     NetOfUnknownFold,
@@ -28,27 +28,26 @@ pub enum Refusal {
     OtherFold { of: FoldId, learner: FoldId },
 }
 
-/// Whether a net may learn from a file. It is one of the fold `learner`, and `without_dev` if it may not learn from
-/// the fold's dev tasks.
+/// Checks whether a net of the fold `learner` may learn from a file. With `without_dev`, the net may not learn from the
+/// fold's dev tasks.
 ///
-/// | balls were | using the training tasks of | the learner's setup | may it? |
+/// | balls were | using the training tasks of | the learner's setup | allowed? |
 /// | --- | --- | --- | --- |
-/// | proposed by a net that knows no task | any fold, or all tasks | any | yes |
-/// | proposed by a net | an unknown fold | any | no: the net may know the learner's test tasks |
-/// | proposed by a net | another fold | any | no: the net knows test tasks of the learner |
+/// | proposed by a net that has seen no task | any fold, or all tasks | any | yes |
+/// | proposed by a net | an unknown fold | any | no: the net may have seen the learner's test tasks |
+/// | proposed by a net | another fold | any | no: the net has seen test tasks of the learner |
 /// | proposed by a net | its fold | any | yes |
-/// | proposed by a net that knows the dev tasks | its fold | any, without dev tasks | no |
-/// | proposed by a net without dev tasks | its fold | any, without dev tasks | yes |
-/// | sampled | any fold, or all tasks | cross | yes: they come from solutions of their own template alone |
-/// | sampled | its fold, or all tasks | within | yes, but for balls near solutions of other tasks than its own |
-/// | sampled | another fold | within | no: solutions of test tasks steered where balls lie |
+/// | proposed by a net trained on the dev tasks | its fold | any, without dev tasks | no |
+/// | proposed by a net trained without dev tasks | its fold | any, without dev tasks | yes |
+/// | sampled | any fold, or all tasks | cross | yes: they depend only on solutions of their own template |
+/// | sampled | its fold, or all tasks | within | yes, except balls near solutions of tasks outside its training tasks |
+/// | sampled | another fold | within | no: solutions of test tasks influenced where balls were sampled |
 ///
-/// Of a file that may be used, a net learns only from balls in training tasks, in unlisted tasks of their templates
-/// and in random scenes, and from none that was sampled around a solution of
-/// a task that is not a training task.
+/// From an allowed file, a net learns only from balls in training tasks, in unlisted tasks of their templates and in
+/// random scenes. Balls that were sampled around a solution of a task outside its training tasks are left out.
 ///
 /// # Errors
-/// If it may not.
+/// If the net may not learn from the file.
 pub fn may_learn(origin: LabelOrigin, learner: FoldId, without_dev: bool) -> Result<(), Refusal> {
     match (origin.proposer, origin.training_tasks_of) {
         (Some(Proposer::RandomScenes), _) => Ok(()),
@@ -64,12 +63,11 @@ impl std::fmt::Display for Refusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Refusal::NetOfUnknownFold => f.write_str(
-                "does not say which fold the net that proposed its balls belongs to: label again with --setup and \
-                 --fold",
+                "does not name the fold of the net that proposed its balls: label again with --setup and --fold",
             ),
             Refusal::NetKnowsDevTasks => f.write_str(
-                "does not say that the net that proposed its balls has not learned from the fold's dev tasks: leave it \
-                 out, or label again with weights of `pathlight-lab train dynamics --without-dev`",
+                "holds balls proposed by a net that may have learned from the fold's dev tasks: leave it out, or label \
+                 again with weights from `pathlight-lab train dynamics --without-dev`",
             ),
             Refusal::OtherFold { of, learner } => write!(
                 f,

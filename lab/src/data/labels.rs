@@ -1,8 +1,8 @@
-//! Balls labelled with their outcome, solved or not, and the paths they led to: the training data of the success net,
-//! the dynamics net and DQN.
+//! Balls labelled with their outcome, solved or not, and with their paths: the training data of the success net, the
+//! dynamics net and DQN.
 //!
-//! Half of the balls are sampled uniformly; the rest are sampled around known solutions of this task or of others of
-//! its template (its siblings), so that near misses are among them. Used by `data label`.
+//! Half of the balls are sampled uniformly, the rest around known solutions of the same task or of other tasks of its
+//! template (its siblings), so that near misses are included. Used by `data label`.
 
 use base64::engine::general_purpose::STANDARD_NO_PAD;
 use base64::{DecodeError, Engine};
@@ -24,18 +24,18 @@ use super::solutions::Solution;
 /// action space: 5 to 40 px in x and y.
 const NOISE_LEVELS: [f64; 4] = [0.02, 0.04, 0.08, 0.16];
 
-/// Some balls of one scene, by their outcome.
+/// Labelled balls of one scene, grouped by outcome.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LabelledBalls {
     pub scene: SceneId,
     /// Balls that solve the scene, px.
     pub solved: Vec<Ball>,
-    /// Balls that do not, px.
+    /// Balls that do not solve it, px.
     pub failed: Vec<Ball>,
-    /// For each ball, the solved ones first, the other task of the template around whose solution it was sampled, if it
-    /// was: a ball near a solution of a test task reveals where it lies.
+    /// For each ball, solved ones first, the sibling around whose solution it was sampled, if any. A ball near a
+    /// solution of a test task reveals that solution.
     pub siblings: Vec<Option<TaskId>>,
-    /// The sampled paths of the green object and of the ball for each ball, the solved ones first.
+    /// For each ball, solved ones first, the sampled paths of the green object and of the ball.
     pub paths: LabelledPaths,
 }
 
@@ -43,7 +43,7 @@ pub struct LabelledBalls {
 pub const PATHS_LEN: usize = 4 * SAMPLES;
 
 /// The paths of several balls, `PATHS_LEN` bytes each: x and y at each sample, first of the object, then of the ball,
-/// in whole px, 0..=255. In JSON one string in base64.
+/// in whole px, 0..=255. In JSON, one base64 string.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct LabelledPaths(pub Vec<u8>);
@@ -69,10 +69,10 @@ impl TryFrom<String> for LabelledPaths {
     }
 }
 
-/// A ball to try, and the other task of the template around whose solution it was sampled, if it was.
+/// A ball to try, and the sibling around whose solution it was sampled, if any.
 pub type Sampled = (Ball, Option<TaskId>);
 
-/// A ball with what it led to.
+/// A ball with its outcome and paths.
 pub struct Tried {
     pub ball: Ball,
     pub sibling: Option<TaskId>,
@@ -80,9 +80,8 @@ pub struct Tried {
     paths: SampledPaths,
 }
 
-/// Samples up to `count` valid balls of a scene. `own_solutions` solve it; a ball
-/// around one that was itself sampled around the solution of another task records that task too. `sibling_solutions`
-/// solve tasks of its template.
+/// Samples up to `count` valid balls of a scene. `own_solutions` solve it, `sibling_solutions` solve other tasks of its
+/// template. A ball sampled around an own solution inherits the sibling of that solution.
 pub fn sample(
     (id, scene): (SceneId, &Scene),
     own_solutions: &[Sampled],
@@ -111,7 +110,7 @@ pub fn sample(
     balls
 }
 
-/// Simulates balls; invalid ones are left out.
+/// Simulates balls and drops invalid ones.
 pub fn try_balls(scene: &Scene, balls: Vec<Sampled>) -> Vec<Tried> {
     let tried = balls.into_iter().filter_map(|(ball, sibling)| {
         let (outcome, paths) = sampled_paths(scene, ball).ok()?;
@@ -126,7 +125,7 @@ impl LabelledBalls {
         self.solved.len() + self.failed.len()
     }
 
-    /// The balls that were tried in a scene.
+    /// Groups the balls tried in a scene by outcome.
     pub fn new(scene: SceneId, tried: Vec<Tried>) -> LabelledBalls {
         let (solved, failed): (Vec<Tried>, Vec<Tried>) = tried.into_iter().partition(|ball| ball.solved);
         let mut paths = LabelledPaths::default();

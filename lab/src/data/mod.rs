@@ -1,5 +1,5 @@
-//! What nets learn from: the search for solutions, balls labelled with their outcome, unlisted tasks; random
-//! scenes; and how hard the tasks are for uniform balls.
+//! Training data: solutions, labelled balls, unlisted tasks and random scenes; and how hard the tasks are for uniform
+//! balls.
 
 pub mod collect;
 pub mod difficulty;

@@ -1,8 +1,8 @@
-//! Random scenes: bodies and goals drawn at random, any topology, without a template's script. For nets that are to
-//! know physics, and to measure how well they do.
+//! Random scenes: bodies and goal drawn at random, in any topology, without a template's script. Nets train on them to
+//! learn physics, and are measured on them.
 //!
-//! Static bars, pegs, jars and shelves come first and may overlap, as they do in the benchmark. Dynamic bodies then
-//! fall onto them or hang in the air. Nothing ensures that a ball can solve a scene.
+//! Static bars, pegs, jars and shelves are placed first and may overlap, as they do in the benchmark. Dynamic bodies
+//! are then dropped onto them or hang in the air. A scene may have no solution.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -14,32 +14,32 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-/// Distance that dynamic bodies keep from others, px.
+/// Minimum distance between a dynamic body and any other body, px.
 const CLEARANCE: f64 = 0.5;
 
-/// Least distance between object and goal, px.
+/// Minimum distance between object and goal, px.
 const APART: f64 = 8.0;
 
-/// How often a goal that lies above the object is kept: hardly any ball can lift the object.
+/// Probability that the goal may lie above the object; hardly any ball can lift the object.
 const LIFTED: f64 = 0.2;
 
-/// Places tried for a dynamic body.
+/// Positions tried for a dynamic body.
 const PLACES: usize = 30;
 
-/// How far a body falls between two looks at what is below it, px.
+/// Distance that a body falls between two collision checks, px.
 const FALL: f64 = 1.0;
 
-/// Mixed into the number of a scene, so that its draws are not those of a task with the same seed.
+/// Mixed into the number of a scene, so that its draws differ from those of a task with the same seed.
 const SALT: u64 = 0x72616e646f6d;
 
-/// Returns the random scene of a number. Its goal is not reached without a ball.
+/// Returns the random scene with this number. It is not solved without a ball.
 pub fn random_scene(number: u32) -> Scene {
     let mut rng = Pcg64Mcg::seed_from_u64(u64::from(number) ^ SALT << 32);
     let mut scenes = std::iter::repeat_with(|| drawn(&mut rng)).flatten();
     scenes.find(|scene| outcome(scene, None).is_ok_and(|alone| !alone.solved)).expect("draws do not end")
 }
 
-/// Draws a scene; `None` if no two of its bodies make a goal.
+/// Draws a scene; `None` if no two of its bodies can be object and goal.
 fn drawn(rng: &mut Pcg64Mcg) -> Option<Scene> {
     let mut bodies = Vec::new();
     for _ in 0..rng.random_range(1..=6) {
@@ -59,7 +59,7 @@ fn body(dimensions: Dimensions, dynamic: bool) -> Body {
     Body { x: 0.0, y: 0.0, angle: 0.0, dynamic, shape_type, role, shapes }
 }
 
-/// A radius of a whole number and a half, as PHYRE's balls have.
+/// Draws a ball whose radius is a half-integer, as in PHYRE's scenes.
 fn ball(radii: std::ops::Range<f64>, rng: &mut Pcg64Mcg) -> Dimensions {
     Dimensions::Ball { radius: rng.random_range(radii).floor() + 0.5 }
 }
@@ -68,7 +68,7 @@ fn bar(lengths: std::ops::Range<f64>, rng: &mut Pcg64Mcg) -> Dimensions {
     Dimensions::Bar { length: rng.random_range(lengths), thickness: THICKNESS }
 }
 
-/// An angle of a static bar: level, upright or tilted.
+/// Draws the angle of a static bar: level, upright or tilted.
 fn bar_angle(rng: &mut Pcg64Mcg) -> f64 {
     match rng.random_range(0..10) {
         0..4 => 0.0,
@@ -77,7 +77,7 @@ fn bar_angle(rng: &mut Pcg64Mcg) -> f64 {
     }
 }
 
-/// One static body, or a group of them.
+/// Draws one static body or a group of them.
 fn static_bodies(rng: &mut Pcg64Mcg) -> Vec<Body> {
     let anywhere = |rng: &mut Pcg64Mcg| [(); 2].map(|()| rng.random_range(0.0..SIZE));
     let at = |dimensions, [x, y]: [f64; 2], angle| Body { x, y, angle, ..body(dimensions, false) };
@@ -116,7 +116,7 @@ fn static_bodies(rng: &mut Pcg64Mcg) -> Vec<Body> {
     }
 }
 
-/// A dynamic body that rests on the others, or hangs in the air; `None` if there is no room.
+/// Draws a dynamic body that rests on other bodies or hangs in the air; `None` if there is no room.
 fn dynamic_body(others: &[Body], rng: &mut Pcg64Mcg) -> Option<Body> {
     let (dimensions, angle) = match rng.random_range(0..10) {
         0..6 => (ball(5.0..26.0, rng), 0.0),
@@ -148,7 +148,7 @@ fn dynamic_body(others: &[Body], rng: &mut Pcg64Mcg) -> Option<Body> {
     Some(body)
 }
 
-/// Makes two of the bodies object and goal.
+/// Makes one body the object and another the goal; `None` if no two qualify.
 fn with_goal(mut bodies: Vec<Body>, rng: &mut Pcg64Mcg) -> Option<Scene> {
     let movable: Vec<usize> = (0..bodies.len()).filter(|&index| bodies[index].dynamic).collect();
     let balls: Vec<usize> =

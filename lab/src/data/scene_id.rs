@@ -1,4 +1,4 @@
-//! Which scene balls are tried in.
+//! The ids of the scenes that balls are tried in.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::random_scenes::random_scene;
 
-/// Random scenes of this number or a greater one are kept for measuring: `data label` tries no balls in them.
+/// Random scenes from this number on are held out for measurements; `data label` does not use them.
 pub const HELD_OUT: u32 = 1 << 31;
 
 /// A scene that balls are tried in.
@@ -21,12 +21,12 @@ pub enum SceneId {
     Task(TaskId),
     /// A task that the benchmark does not list: template and combination of parameters.
     Unlisted(usize, u32),
-    /// A random scene.
+    /// A random scene, by its number.
     Random(u32),
 }
 
 impl SceneId {
-    /// The task that the scene belongs to.
+    /// The task that the scene belongs to, if any.
     pub fn task(self) -> Option<TaskId> {
         if let SceneId::Task(task) = self { Some(task) } else { None }
     }
@@ -34,7 +34,7 @@ impl SceneId {
     /// Makes the scene.
     ///
     /// # Errors
-    /// If there is no such scene.
+    /// If the scene does not exist.
     pub fn scene(self) -> anyhow::Result<Scene> {
         match self {
             SceneId::Task(task) => Ok(Task::load(task)?.scene),
@@ -49,7 +49,7 @@ impl SceneId {
     }
 
     /// Returns the seed of the random draws for this scene, given the seed of the command. The lowest 16 bits are
-    /// left for the number of the round.
+    /// reserved for the number of the round.
     pub fn seed(self, global_seed: u64) -> u64 {
         match self {
             SceneId::Task(task) => task.seed(global_seed),

@@ -1,8 +1,8 @@
-//! Balls that solve tasks, found among uniform draws, as in PHYRE's own collection of solutions. Used by `collect`, and
-//! by all that trains on solutions.
+//! Solutions of tasks, found among uniform draws like PHYRE's own collection of solutions. Used by `collect` and by
+//! everything that trains on solutions.
 //!
-//! The search of a task depends on its id and the seed alone, so tasks can be searched in any order and on any machine,
-//! and no solution of one task steers the search of another.
+//! The search for a task depends only on its id and the seed, so tasks can be searched in any order and on any machine,
+//! and no solution of one task influences the search for another.
 
 use pathlight::puzzle::action::{Ball, Obstacles};
 use pathlight::puzzle::sampling::uniform_ball;
@@ -24,9 +24,9 @@ pub struct Solution {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TaskSolutions {
     pub task: TaskId,
-    /// Balls simulated.
+    /// Number of balls simulated.
     pub rollouts: usize,
-    /// The balls that solve it in the order in which they were drawn, px. A ball may be drawn twice.
+    /// Balls that solve the task, in the order drawn, px. A ball may be drawn twice.
     pub balls: Vec<Ball>,
 }
 
@@ -47,7 +47,7 @@ impl TaskSolutions {
         found
     }
 
-    /// Returns the solutions one by one.
+    /// Iterates over the solutions.
     pub fn solutions(&self) -> impl Iterator<Item = Solution> {
         self.balls.iter().map(|&ball| Solution { task: self.task, ball })
     }
@@ -66,7 +66,7 @@ mod tests {
         let task = task("00002:007");
         let [three, two] = [3, 2].map(|wanted| TaskSolutions::search(&task, wanted, 10_000, 0));
         assert_eq!(three.balls.len(), 3);
-        assert_eq!(three.balls[..2], two.balls, "more solutions begin with the same");
+        assert_eq!(three.balls[..2], two.balls, "a longer search starts with the same solutions");
         assert!(two.rollouts < three.rollouts);
         let all_solve = three.balls.iter().all(|&ball| outcome(&task.scene, Some(ball)).expect("valid").solved);
         assert!(all_solve);

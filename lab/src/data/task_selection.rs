@@ -1,4 +1,4 @@
-//! The tasks of a search: all, those of one template, or the first few of each.
+//! A selection of tasks: all, those of one template, or the first few of each template.
 
 use pathlight::puzzle::task::{Task, TaskId, ids};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
@@ -19,12 +19,12 @@ impl Default for TaskSelection {
 }
 
 impl TaskSelection {
-    /// The number of the one template, if there is only one.
+    /// The number of the selected template, if there is one.
     pub fn template(&self) -> Option<usize> {
         self.template.map(|template| template.number)
     }
 
-    /// Their ids in ascending order.
+    /// The ids of the tasks in ascending order.
     pub fn ids(&self) -> impl Iterator<Item = TaskId> + use<> {
         let (template, limit) = (self.template(), self.limit);
         let templates = TEMPLATES.iter().filter(move |one| template.is_none_or(|number| number == one.number));

@@ -1,7 +1,7 @@
-//! Tasks of the templates that the benchmark does not list, to train on more tasks than its 100 of each template.
+//! Tasks of the templates that the benchmark does not list, to train on more than the 100 listed tasks per template.
 //!
-//! Most combinations of a template's parameters are valid and not among the 100. They differ from test tasks, but look
-//! like them: results of nets that learned from them stand apart.
+//! Most combinations of a template's parameters are valid and not among the 100. These tasks differ from test tasks but
+//! resemble them, so results of nets trained on them are reported separately.
 
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::stable_shuffle::stable_shuffle;
@@ -9,8 +9,8 @@ use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::Template;
 use pathlight::simulator::outcome;
 
-/// Returns the combinations of up to `count` unlisted tasks, the first in PHYRE's order. Some combinations lay out the
-/// scene of a listed task, or solve their task without a ball: these are left out.
+/// Returns the parameter combinations of up to `count` unlisted tasks, the first in PHYRE's order. Combinations that
+/// lay out the scene of a listed task, or a scene that is solved without a ball, are left out.
 pub fn unlisted_tasks(template: &'static Template, count: usize) -> Vec<u32> {
     let listed: Vec<Scene> = Task::of(template).map(|task| task.scene).collect();
     let combinations = stable_shuffle((0..template.combinations()).collect(), "");

@@ -1,7 +1,7 @@
 //! The success curves: the share of the test tasks that each agent solves within k attempts.
 //!
-//! The axis of the attempts is that of AUCCESS: attempt k takes the width ln(k + 1) - ln(k), its weight. So AUCCESS is
-//! the area under a curve, in percent of the panel.
+//! The attempts axis is scaled as in AUCCESS: attempt k is as wide as its weight, ln(k + 1) - ln(k). So the area under
+//! a curve, in percent of the panel, is AUCCESS.
 
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, solved_within};
 use svg::node::element::path::Data;
@@ -11,18 +11,18 @@ use super::picture::{Anchor, FAINT, Figure, MUTED, line, px, words};
 use crate::measure::agents::row;
 use crate::measure::report::{Report, Score};
 
-/// The part of a panel that is plotted on, px: its place in the panel and its size.
+/// The plot area of a panel, px: its position in the panel and its size.
 const PLOT: [f64; 4] = [58.0, 38.0, 330.0, 230.0];
 
 /// Width and height of a panel with its axes and labels, px.
 const PANEL: [f64; 2] = [520.0, 322.0];
 
-/// Distance between two labels of curves, px.
+/// Minimum distance between two labels of curves, px.
 const LABEL: f64 = 16.0;
 
 const TICKS: [usize; 7] = [1, 2, 5, 10, 20, 50, 100];
 
-/// Draws the figure: a panel for each report, side by side.
+/// Draws the figure: one panel per report, side by side.
 pub fn draw(reports: &[Report]) -> Figure {
     let mut content = Group::new();
     for (column, report) in reports.iter().enumerate() {
@@ -37,7 +37,7 @@ pub fn draw(reports: &[Report]) -> Figure {
         name: "curves",
         title: "Tasks solved within k attempts",
         caption: "The share of the test tasks that each agent solves within k attempts, with the models on the page. \
-                  Attempts are as wide as they weigh in AUCCESS, which is the area under a curve and stands beside it."
+                  An attempt is as wide as its weight in AUCCESS, so the area under a curve is the AUCCESS next to it."
             .to_string(),
         numbers: numbers.collect::<Vec<_>>().join(" "),
         size: [reports.len() as f64 * PANEL[0], PANEL[1]],
@@ -50,7 +50,7 @@ fn heading(report: &Report) -> String {
     format!("{}, fold {}", report.setup, report.fold)
 }
 
-/// What a curve shows, in words.
+/// Describes a curve in words.
 fn sentence(score: &Score) -> String {
     let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved(score, attempts));
     format!(
@@ -64,18 +64,18 @@ fn solved(score: &Score, attempts: usize) -> f64 {
     solved_within(&score.first_solved, attempts)
 }
 
-/// The name of an agent, and its auccess.
+/// Returns the label of a curve: the agent and its auccess.
 fn label(score: &Score) -> String {
     format!("{} {:.1}", score.player, score.auccess)
 }
 
-/// Where the bar of an attempt begins, px.
+/// The x coordinate at which an attempt begins, px.
 fn x(attempt: usize) -> f64 {
     let [left, _, width, _] = PLOT;
     left + width * (attempt as f64).ln() / ((MAX_ATTEMPTS + 1) as f64).ln()
 }
 
-/// Height of a share, 0..=1, px.
+/// The y coordinate of a share, 0..=1, px.
 fn y(share: f64) -> f64 {
     let [_, top, _, height] = PLOT;
     top + height * (1.0 - share)
@@ -101,7 +101,7 @@ fn panel(report: &Report) -> Group {
     panel = panel
         .add(words("attempts", [left + width / 2.0, top + height + 34.0], 11.0, Anchor::Middle).set("fill", MUTED))
         .add(upwards.set("transform", format!("translate({} {}) rotate(-90)", px(left - 38.0), px(middle))));
-    // Drawn first what lies below: the first agents are the best ones.
+    // Draw the first agents last, on top of the others: they are the best ones.
     for score in report.agents.iter().rev() {
         panel = panel.add(curve(score));
     }
@@ -137,13 +137,13 @@ fn curve(score: &Score) -> Group {
         .add(path.set("fill", "none").set("stroke", colour).set("stroke-width", 2).set("stroke-dasharray", dashes))
 }
 
-/// Returns places of labels, px: as near to those asked for as `LABEL` between them allows, in the same order from top
-/// to bottom.
+/// Moves the positions of labels, px, as little as needed to keep them `LABEL` apart and in the same order from top to
+/// bottom.
 fn apart(places: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|&a, &b| places[a].total_cmp(&places[b]));
     let mut moved = places.to_vec();
-    // Down first; then the lowest ones, which may have left the plot, up again.
+    // Move labels down, then move those that left the plot up again.
     for pair in 1..order.len() {
         moved[order[pair]] = moved[order[pair]].max(moved[order[pair - 1]] + LABEL);
     }

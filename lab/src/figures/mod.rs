@@ -1,6 +1,6 @@
 //! Draws the figures of the results as SVG, each with a text alternative, and a page that shows them.
 //!
-//! A module per figure draws it from the files of what was measured; nothing is measured here. The same files
+//! Each figure has a module that draws it from the files of measurements; nothing is measured here. The same files
 //! yield the same bytes.
 
 use std::fmt::Write as _;
@@ -18,13 +18,13 @@ mod picture;
 mod scene_drawing;
 mod strips;
 
-/// Where the results are, and the figures go.
+/// Where to read the results and write the figures.
 pub struct Settings {
-    /// The folder of the results, whose folder shipped/ has those of the models on the page.
+    /// Folder of the results; its subfolder shipped/ holds those of the models on the page.
     pub results: PathBuf,
-    /// The folder of the weights of the models on the page.
+    /// Folder with the weights of the models on the page.
     pub assets: PathBuf,
-    /// The folder of the figures.
+    /// Folder to write the figures to.
     pub out: PathBuf,
 }
 
@@ -51,15 +51,15 @@ impl Settings {
     }
 }
 
-/// The folds of the models that the page has.
+/// The folds of the models on the page.
 fn shipped_folds() -> [FoldId; 2] {
     [Setup::Within, Setup::Cross].map(|setup| FoldId { setup, fold: 0 })
 }
 
-/// The page that shows the figures.
+/// Returns the page that shows the figures.
 fn page(figures: &[Figure]) -> anyhow::Result<String> {
     const HEAD: &str =
-        "# Figures\n\n`pathlight-lab figures` draws them. The text alternative of each holds its numbers.\n";
+        "# Figures\n\nDrawn by `pathlight-lab figures`. The text alternative of each holds its numbers.\n";
     let mut text = HEAD.to_string();
     for Figure { name, title, caption, .. } in figures {
         writeln!(text, "\n## {title}\n\n![{title}]({name}.svg)\n\n{caption}")?;

@@ -1,4 +1,4 @@
-//! What the figures are made of: the SVG document with its text alternatives, and words.
+//! Building blocks of the figures: the SVG document with its text alternative, text and lines.
 //!
 //! A figure has its own background, so that it is legible on any page. Numbers are rounded, so that the same input
 //! yields the same bytes.
@@ -14,16 +14,16 @@ pub const MUTED: &str = "#5b626c";
 /// Colour of lines behind the data.
 pub const FAINT: &str = "#dcdad3";
 
-/// A figure, and the words that stand for it.
+/// A figure and its text alternative.
 pub struct Figure {
-    /// The name of its file, without the extension.
+    /// File name without extension.
     pub name: &'static str,
     pub title: &'static str,
-    /// What it shows and by which rule.
+    /// What the figure shows, and how its content was chosen.
     pub caption: String,
-    /// The numbers in it, as sentences.
+    /// The numbers of the figure, as sentences.
     pub numbers: String,
-    /// px
+    /// Width and height, px.
     pub size: [f64; 2],
     pub definitions: Definitions,
     pub content: Group,
@@ -52,11 +52,11 @@ impl Figure {
 
 /// Rounds a coordinate to a hundredth of a px.
 pub fn px(value: f64) -> f64 {
-    // Adding zero makes -0 a 0.
+    // Adding zero turns -0 into 0.
     (value * 100.0).round() / 100.0 + 0.0
 }
 
-/// Where words lie to their point.
+/// Alignment of text relative to its point.
 #[derive(Clone, Copy)]
 pub enum Anchor {
     Start,
@@ -64,7 +64,7 @@ pub enum Anchor {
     End,
 }
 
-/// Returns words; `size` is that of the font, px.
+/// Returns a text element; `size` is the font size, px.
 pub fn words(text: impl Into<String>, [x, y]: [f64; 2], size: f64, anchor: Anchor) -> Text {
     let anchor = match anchor {
         Anchor::Start => "start",

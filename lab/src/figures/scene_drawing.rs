@@ -1,6 +1,6 @@
-//! Draws scenes, balls, paths and maps as SVG, like the page does on a canvas (`src/web/paint.rs`).
+//! Draws scenes, balls, paths and maps as SVG, as the page does on a canvas (`src/web/paint.rs`).
 //!
-//! Everything here is in the units of the scene: px, origin at the bottom left, y up. `window` places it in a figure.
+//! All coordinates are those of the scene: px, origin at the bottom left, y up. `window` places a drawing in a figure.
 
 use std::collections::BTreeMap;
 
@@ -22,10 +22,10 @@ const HATCH: (f64, f64) = (4.5, 1.2);
 /// Width of a path and of the rim around it, px.
 const PATH: (f64, f64) = (3.0, 1.5);
 
-/// Levels of a map above zero.
+/// Number of levels of a map above zero.
 const LEVELS: u8 = 20;
 
-/// Steps between two points of a path.
+/// Simulation steps between two points of a path.
 const STRIDE: usize = 4;
 
 /// How a path is drawn.
@@ -35,7 +35,7 @@ pub enum LineStyle {
     Imagined,
 }
 
-/// Returns a part of a figure that shows the scene: `side` px wide and high, with a frame. What sticks out is cut off.
+/// Returns a framed view of a scene, `side` px wide and high. Content outside the frame is clipped.
 pub fn window([x, y]: [f64; 2], side: f64, content: Vec<Group>) -> Group {
     let up = content.into_iter().fold(Group::new().set("transform", "matrix(1 0 0 -1 0 256)"), Group::add);
     let view = Document::new().set("viewBox", (0, 0, SIZE, SIZE)).set("x", px(x)).set("y", px(y));
@@ -45,7 +45,7 @@ pub fn window([x, y]: [f64; 2], side: f64, content: Vec<Group>) -> Group {
         .add(frame.set("fill", "none").set("stroke", FAINT))
 }
 
-/// Returns the pattern that bodies of a goal are hatched with; it belongs among the definitions of a figure.
+/// Returns the hatch pattern of goal bodies, to be added to the definitions of a figure.
 pub fn hatch() -> Pattern {
     let (spacing, width) = HATCH;
     let stripe = Line::new().set("x1", 0).set("x2", 0).set("y2", spacing).set("stroke", palette(false).paper);
@@ -56,12 +56,12 @@ pub fn hatch() -> Pattern {
         .add(stripe.set("stroke-width", 2.0 * width).set("stroke-opacity", 0.55))
 }
 
-/// Returns all bodies of a scene, where they start.
+/// Returns all bodies of a scene in their initial positions.
 pub fn scene(scene: &Scene) -> Group {
     bodies(scene, |_| None)
 }
 
-/// Returns all bodies and the ball as a rollout leaves them.
+/// Returns all bodies and the ball in their final positions of a rollout.
 pub fn last_frame(scene: &Scene, ball: Ball, rollout: &Rollout) -> Group {
     let pose = |index| rollout.pose(rollout.steps, index);
     bodies(scene, pose).add(body(&ball.body(), pose(scene.bodies.len()), false))
@@ -106,7 +106,7 @@ fn body(body: &Body, pose: Option<Pose>, goal: bool) -> Group {
     }
 }
 
-/// Rounds to a thousandth: an angle to less than a tenth of a degree.
+/// Rounds to a thousandth: for an angle, less than a tenth of a degree.
 fn px3(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }
@@ -127,13 +127,13 @@ fn outline(body: &Body) -> Path {
     Path::new().set("d", data)
 }
 
-/// Returns the positions of a body through a rollout.
+/// Returns the positions of a body during a rollout.
 pub fn positions(rollout: &Rollout, body: usize) -> Vec<[f64; 2]> {
     let steps = (0..rollout.steps).step_by(STRIDE).chain([rollout.steps]);
     steps.filter_map(|step| rollout.pose(step, body)).map(|[x, y, _]| [x.into(), y.into()]).collect()
 }
 
-/// Returns a path through these points in the colour of a role, with a rim that keeps it visible on a body of its own
+/// Returns a path through these points in the colour of a role, with a rim that keeps it visible on a body of the same
 /// colour.
 pub fn path(points: &[[f64; 2]], role: Role, style: LineStyle) -> Group {
     let mut rounded: Vec<(f64, f64)> = points.iter().map(|&[x, y]| (tenth(x), tenth(y))).collect();
@@ -149,7 +149,7 @@ pub fn path(points: &[[f64; 2]], role: Role, style: LineStyle) -> Group {
     let coloured = stroke(colours.role(role), width);
     let coloured = match style {
         LineStyle::Real => coloured,
-        // The round caps make a dot of each dash.
+        // Round caps turn each dash into a dot.
         LineStyle::Imagined => coloured.set("stroke-dasharray", "0.1 5.4"),
     };
     let rim = stroke(colours.paper, width + 2.0 * rim).set("stroke-opacity", 0.75);
@@ -160,8 +160,8 @@ fn tenth(value: f64) -> f64 {
     (value * 10.0).round() / 10.0 + 0.0
 }
 
-/// Returns a map over the whole scene; the colour scale runs from 0, transparent, to `max`. All cells of one level
-/// are one path: no larger than a PNG in base64, and sharp at any size.
+/// Returns a map over the whole scene; the colour scale runs from 0, transparent, to `max`. All cells of a level share
+/// one path, which is no larger than a base64 PNG and sharp at any size.
 pub fn map(which: ImaginedMap, values: &[f32], max: f32) -> Group {
     let level = |value: f32| {
         (value / max.max(f32::MIN_POSITIVE) * f32::from(LEVELS)).round().clamp(0.0, f32::from(LEVELS)) as u8
@@ -178,7 +178,7 @@ pub fn map(which: ImaginedMap, values: &[f32], max: f32) -> Group {
             column += run.len();
         }
     }
-    // Neighbouring cells must leave no seam.
+    // Leave no seam between neighbouring cells.
     let group = Group::new().set("transform", format!("scale({PX_PER_CELL})")).set("shape-rendering", "crispEdges");
     paths.into_iter().fold(group.set("class", "map"), |group, (level, data)| {
         let [r, g, b, opacity] = which.colour(f32::from(level) / f32::from(LEVELS), false);

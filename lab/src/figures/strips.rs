@@ -1,6 +1,6 @@
-//! Strips of single tasks: what the nets imagine beside what happens.
+//! Strips of single tasks: imagined maps and paths next to the simulated ones.
 //!
-//! The tasks are chosen by a rule. The agent plays them again, and has to do what its evaluation says.
+//! The tasks are chosen by a rule. The agent replays them and must reproduce its evaluation.
 
 use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::{AgentName, Loaded};
@@ -26,11 +26,12 @@ use crate::files::weights_file::load_nets;
 use crate::measure::report::Report;
 use crate::measure::shipped::Shipped;
 
-/// Headings of the pictures of a strip.
+/// Headings of the pictures in a strip.
 const COLUMNS: [&str; 7] =
     ["task", "base path", "target path", "action path", "placement", "the chosen ball", "what happens"];
 
-/// Side of a picture, distances to the next picture and strip, width of the words on the left, and margin, px.
+/// Layout, px: side of a picture, distances to the next picture and strip, width of the text on the left, margin, and
+/// height of the headings.
 const SIDE: f64 = 124.0;
 const STEP: [f64; 2] = [SIDE + 6.0, SIDE + 24.0];
 const LEFT: f64 = 128.0;
@@ -45,7 +46,7 @@ const LATE: usize = 10;
 
 type Rule = fn(Option<usize>) -> bool;
 
-/// Which tasks of each setup are shown, in their order.
+/// The rules that choose the tasks of each setup, in order.
 const CHOICE: [(Rule, &str); 3] = [
     (|first| first == Some(1), "solved at once"),
     (|first| matches!(first, Some(LATE..)), "solved late"),
@@ -54,20 +55,20 @@ const CHOICE: [(Rule, &str); 3] = [
 
 struct Strip {
     task: Task,
-    /// What is said below its name.
+    /// The outcome, shown below the name of the task.
     note: &'static str,
     imagined: Imagined,
     /// The number of the attempt that is shown, from 1.
     attempt: usize,
     proposal: Proposal,
-    /// The paths that the dynamics net imagines for the ball, if there is one.
+    /// The paths that the dynamics net imagines for the ball, if the model has such a net.
     expected: Option<SampledPaths>,
-    /// Without a ball.
+    /// The rollout without a ball.
     base: Rollout,
     rollout: Rollout,
 }
 
-/// Draws the figure of some tasks.
+/// Draws the figure.
 ///
 /// # Errors
 /// If the evaluations or the weights are missing, or do not belong together.
@@ -103,11 +104,12 @@ pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
         name: "strips",
         title: "What the nets imagine, and what happens",
         caption: format!(
-            "Of each setup, in the order of the test tasks of fold 0, the first that the agent solved at once, the \
-             first that it solved at attempt {LATE} or later, and the first that it did not solve in {MAX_ATTEMPTS}. The maps are what the nets imagine before anything moves; the lines over them are what happens: without a \
-             ball over the base path, with the shown ball over target and action path (IoU is their soft overlap), and \
-             the ball itself over the placement. The shown ball is the one that solved, or the first one; dotted is \
-             what the dynamics net imagines for it."
+            "For each setup, the first test task of fold 0 that the agent solved at once, the first that it solved at \
+             attempt {LATE} or later, and the first that it did not solve within {MAX_ATTEMPTS}. The maps show what \
+             the nets imagine before anything moves. The lines over them show the simulation: without a ball over the \
+             base path, with the shown ball over the target and action paths (IoU is their soft overlap), and the ball \
+             itself over the placement. The shown ball is the one that solved, or the first one; the dotted lines are \
+             the paths that the dynamics net imagines for it."
         ),
         numbers: numbers.join(" "),
         size: [width, MARGIN + HEAD + count as f64 * STEP[1] + 6.0],
@@ -121,7 +123,7 @@ fn left(column: usize) -> f64 {
 }
 
 impl Strip {
-    /// Lets the agent play the task again.
+    /// Replays the task with the agent.
     fn play(nets: &PathNet, seed: u64, id: TaskId, first: Option<usize>, note: &'static str) -> anyhow::Result<Strip> {
         let task = Task::load(id)?;
         let scene = &task.scene;
@@ -139,16 +141,16 @@ impl Strip {
         }
         ensure!(
             first == solved.then_some(attempts),
-            "the evaluation says otherwise what became of {id} than the weights do: measure them again with \
-             `pathlight-lab measure evaluate --json`"
+            "the evaluation and the weights disagree on {id}: measure the weights again with `pathlight-lab measure \
+             evaluate --json`"
         );
-        let (attempt, proposal, rollout) = shown.with_context(|| format!("the agent has no ball for {id}"))?;
+        let (attempt, proposal, rollout) = shown.with_context(|| format!("the agent proposes no ball for {id}"))?;
         let expected = nets.read(scene).and_then(|read| read.imagine(&[proposal.ball]).first().map(|ball| ball.paths));
         let (imagined, base) = (nets.imagine(scene), simulate(scene, None)?);
         Ok(Strip { imagined, expected, base, attempt, proposal, rollout, note, task })
     }
 
-    /// Draws the strip; returns what it says too.
+    /// Draws the strip. Also returns its numbers as a sentence.
     fn draw(&self, fold: &str, row: usize, scene_id: &str) -> anyhow::Result<(Group, String)> {
         let Strip { task, imagined, proposal: Proposal { ball, origin, .. }, rollout, .. } = self;
         let scene = &task.scene;

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 use serde_json::Value;
 
-/// Lists the differing fields with both values: "`seed` is 0 instead of 5"; a field of a struct in a struct is
-/// `dqn.batch`. Empty if there are none.
+/// Lists the differing fields with both values: "`seed` is 0 instead of 5". A nested field is named like `dqn.batch`.
+/// Empty if the values are equal.
 pub fn differences<T: Serialize>(found: &T, expected: &T) -> String {
     let [found, expected] = [found, expected].map(|value| serde_json::to_value(value).expect("plain data"));
     let mut listed = Vec::new();
@@ -16,7 +16,7 @@ pub fn differences<T: Serialize>(found: &T, expected: &T) -> String {
 
 fn list(name: &str, found: &Value, expected: &Value, listed: &mut Vec<String>) {
     if let (Value::Object(found), Value::Object(expected)) = (found, expected) {
-        // An absent field is an `Option` that is not written when it is `None`.
+        // A field is absent if it is an `Option` that is `None`.
         let fields: BTreeSet<&String> = found.keys().chain(expected.keys()).collect();
         for field in fields {
             let [found, expected] = [found, expected].map(|fields| fields.get(field).unwrap_or(&Value::Null));

@@ -1,4 +1,4 @@
-//! A file lock: while one process holds it, any other that asks for it waits.
+//! A file lock: while one process holds it, others wait.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::Path;
@@ -7,8 +7,8 @@ use anyhow::Context;
 
 use crate::progress::Progress;
 
-/// Opens a file for reading and writing, creates it if it is missing, and locks it until the handle is dropped. While
-/// another process holds the lock, this one waits, and says so.
+/// Opens a file for reading and writing, creates it if it is missing, and locks it until the handle is dropped. If
+/// another process holds the lock, this one says so and waits.
 ///
 /// The caller must read and write through this handle only: on Windows the lock also excludes other handles.
 ///
@@ -18,7 +18,7 @@ pub fn lock(path: &Path, progress: &mut dyn Progress) -> anyhow::Result<File> {
     let file = open(path)?;
     // Some network file systems do not support locking; there the user must avoid concurrent runs.
     if let Err(TryLockError::WouldBlock) = file.try_lock() {
-        progress.say(&format!("another process uses {}: waiting until it has ended", path.display()));
+        progress.say(&format!("another process is using {}: waiting for it to end", path.display()));
         file.lock().with_context(|| format!("cannot lock {}", path.display()))?;
     }
     Ok(file)

@@ -1,10 +1,9 @@
 //! Append-only files of JSON lines that can be continued after an interruption; used by `data collect` and `data
 //! label`.
 //!
-//! The first line holds the settings, and a file is continued only with the same settings. Every further line is an
-//! entry. A process that was killed may leave a last line that is cut off: readers skip it, and it is removed when
-//! the file is continued. Any other line that cannot be read is an error, so that nobody trains on part of a
-//! file without noticing.
+//! The first line holds the settings, and a file is continued only with the same settings. Every other line is an
+//! entry. A killed process may leave an incomplete last line: readers skip it, and it is removed when the file is
+//! continued. Any other unreadable line is an error, so that nobody trains on part of a file without noticing.
 
 use std::fmt::Display;
 use std::fs::File;
@@ -23,21 +22,21 @@ use super::differences::differences;
 use super::file_lock::lock;
 use crate::progress::Progress;
 
-/// Longest line, bytes. Those of `label` have some 8,000.
+/// Maximum length of a line, bytes. Lines of `label` have about 8,000.
 const MAX_LINE: u64 = 1 << 20;
 
 /// A line after the first.
 pub trait Entry: Serialize + DeserializeOwned {
-    /// What the first line holds.
+    /// Type of the first line.
     type Settings: Serialize + DeserializeOwned;
 
     /// The command of the lab that writes these files.
     const COMMAND: &'static str;
 
-    /// Checks what the JSON format alone does not ensure.
+    /// Checks conditions that parsing does not ensure.
     ///
     /// # Errors
-    /// Says what is wrong.
+    /// If a condition does not hold; the error names it.
     fn check(&self) -> Result<(), String>;
 }
 
@@ -45,13 +44,13 @@ pub trait Entry: Serialize + DeserializeOwned {
 pub struct Journal {
     path: PathBuf,
     file: File,
-    /// Length of the file up to the end of the settings and of each entry found at opening, bytes.
+    /// Offsets of the ends of the settings and of each entry found at opening, bytes.
     ends: Vec<u64>,
 }
 
 impl Journal {
-    /// Opens a file to append to, and returns the entries it holds. A new file begins with the settings. While another
-    /// process has it open, this one waits.
+    /// Opens a file for appending, and returns its entries. A new file begins with the settings. While another process
+    /// has the file open, this one waits.
     ///
     /// # Errors
     /// If the file has other settings, is damaged, or cannot be written.
@@ -80,7 +79,7 @@ impl Journal {
         Ok((journal, contents.entries))
     }
 
-    /// Removes all but the first entries. To be called before anything is appended.
+    /// Removes all entries but the first `entries`. Must be called before anything is appended.
     ///
     /// # Errors
     /// If the file cannot be written.
@@ -113,10 +112,10 @@ impl Journal {
     }
 }
 
-/// Reads a file: its settings and its entries.
+/// Reads the settings and the entries of a file.
 ///
 /// # Errors
-/// If it cannot be read, a line is damaged, or it is not a file of the entries' command.
+/// If the file cannot be read, has a damaged line, or was not written by the command of the entries.
 pub fn read<E: Entry>(path: &Path) -> anyhow::Result<(E::Settings, Vec<E>)> {
     let file = File::open(path)
         .with_context(|| format!("cannot read {}: run `pathlight-lab {}` first", path.display(), E::COMMAND))?;
@@ -124,8 +123,8 @@ pub fn read<E: Entry>(path: &Path) -> anyhow::Result<(E::Settings, Vec<E>)> {
     Ok((contents.settings, contents.entries))
 }
 
-/// Whether the file is empty or ends within the settings that this process would write: nothing is lost with it, and no
-/// file of other contents is taken for one.
+/// Whether the file is empty or ends within the settings that this process would write. Such a file holds nothing to
+/// lose, and no other file looks like it.
 fn is_cut_off_in_the_settings(mut file: &File, settings: &[u8]) -> anyhow::Result<bool> {
     let mut start = Vec::new();
     file.take(settings.len() as u64).read_to_end(&mut start)?;
@@ -133,20 +132,20 @@ fn is_cut_off_in_the_settings(mut file: &File, settings: &[u8]) -> anyhow::Resul
     Ok(start.len() < settings.len() && settings.starts_with(&start))
 }
 
-/// What a file holds.
+/// The content of a file.
 pub struct Contents<E: Entry> {
     pub settings: E::Settings,
     pub entries: Vec<E>,
-    /// As in `Journal`.
+    /// Same as in `Journal`.
     ends: Vec<u64>,
-    /// Does the last line that was read have its newline?
+    /// Whether the last line read ends with a newline.
     ends_with_newline: bool,
 }
 
-/// Reads lines up to the end; errors name the file.
+/// Parses a file. Errors name `path`.
 ///
 /// # Errors
-/// As those of `read`.
+/// Same as for `read`.
 pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<E>> {
     let (name, command) = (path.display(), E::COMMAND);
     let cannot_read = || format!("cannot read {name}");
@@ -180,7 +179,7 @@ pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<
             Err(error) => bail!("line {number} of {name} is damaged ({error}): restore the file or make it again"),
         };
         if let Err(why) = entry.check() {
-            bail!("line {number} of {name} is wrong: {why}");
+            bail!("line {number} of {name} is invalid ({why}): restore the file or make it again");
         }
         contents.entries.push(entry);
         contents.ends.push(contents.ends.last().expect("the settings end somewhere") + length);
@@ -192,16 +191,16 @@ pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<
 /// Checks that the benchmark has a task; for `Entry::check`.
 ///
 /// # Errors
-/// Names the task if not.
+/// If the benchmark has no such task; the error names it.
 pub fn check_task(task: TaskId) -> Result<(), String> {
     let known = TEMPLATES.get(task.template).is_some_and(|template| ids(template).any(|id| id == task));
     if known { Ok(()) } else { Err(format!("the benchmark has no task {task}")) }
 }
 
-/// Checks that a ball of a scene has a radius of the benchmark's and is inside the scene; for `Entry::check`.
+/// Checks that a ball has a radius that the benchmark allows and is inside the scene; for `Entry::check`.
 ///
 /// # Errors
-/// Names ball and scene if not.
+/// If the ball does not fit; the error names the ball and the scene.
 pub fn check_ball(scene: &impl Display, ball: &Ball) -> Result<(), String> {
     let fault = |_| format!("the ball {ball} of {scene} has a wrong radius or is not inside the scene");
     ball.check_bounds().map_err(fault)

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use pathlight::command_line::replace_file::{check_replaceable, replace_file};
 
-/// Reads a file; `command` is what writes it.
+/// Reads a file. `command` is the command that writes it.
 ///
 /// # Errors
 /// If it is missing, damaged, or was written by another command.
@@ -21,18 +21,18 @@ pub fn read<T: for<'a> Deserialize<'a>>(path: &Path, command: &str) -> anyhow::R
         .with_context(|| format!("{name} is damaged, or another command wrote it: write it again with `{command}`"))
 }
 
-/// Checks that the file can be written, if one is named: before a measurement that would be lost.
+/// Checks that the file, if one is named, can be written, before a measurement that would otherwise be lost.
 ///
 /// # Errors
-/// If it cannot.
+/// If the file cannot be written.
 pub fn check(path: Option<&Path>) -> anyhow::Result<()> {
     path.map_or(Ok(()), check_replaceable)
 }
 
-/// Writes the file, and its folder if that is missing, if one is named.
+/// Writes the file, if one is named, and creates its folder if that is missing.
 ///
 /// # Errors
-/// If it cannot be written; then the file has not changed.
+/// If the file cannot be written. It is then unchanged.
 pub fn write(path: Option<&Path>, value: &impl Serialize) -> anyhow::Result<()> {
     path.map_or(Ok(()), |path| replace_file(path, &serde_json::to_vec(value)?))
 }

@@ -1,4 +1,4 @@
-//! Files of weights, which are loaded only for the fold that they were trained on.
+//! Weights files. They are loaded only for the fold that they were trained on.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,15 +12,15 @@ pub fn training_folder(fold: FoldId) -> PathBuf {
     format!("target/train/{fold}").into()
 }
 
-/// The file that `load_nets` reads: the shipped weights if none is named.
+/// Returns the file that `load_nets` reads: the shipped weights if none is named.
 pub fn weights_path(path: Option<&Path>, fold: FoldId) -> PathBuf {
     path.map_or_else(|| format!("assets/{fold}.safetensors").into(), Path::to_path_buf)
 }
 
-/// Reads the nets of a fold, and how they were trained; without a path, the shipped ones.
+/// Reads the nets of a fold and their card; without a path, the shipped ones.
 ///
 /// # Errors
-/// If the file cannot be read, or its nets were trained on another fold and so may know this fold's test tasks.
+/// If the file cannot be read, or its nets were trained on another fold and so may have seen this fold's test tasks.
 pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
     let path = weights_path(path, fold);
     let (nets, card) = load_nets_of_any_fold(&path)?;
@@ -28,11 +28,11 @@ pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, 
     Ok((nets, card))
 }
 
-/// Reads nets whose dynamics net is of this fold or has learned from random scenes alone, and how they were trained;
-/// without a path, the shipped ones. The other nets may be of another fold.
+/// Reads nets and their card; without a path, the shipped ones. The dynamics net belongs to this fold or was trained on
+/// random scenes alone; in the latter case, the other nets may belong to another fold.
 ///
 /// # Errors
-/// As those of `load_nets`.
+/// Same as for `load_nets`.
 pub fn load_nets_for_dynamics(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
     let path = weights_path(path, fold);
     let (nets, card) = load_nets_of_any_fold(&path)?;
@@ -42,7 +42,7 @@ pub fn load_nets_for_dynamics(path: Option<&Path>, fold: FoldId) -> anyhow::Resu
     Ok((nets, card))
 }
 
-/// Reads nets, and how they were trained. The caller checks what they may know.
+/// Reads nets and their card. The caller checks which tasks they may have seen.
 ///
 /// # Errors
 /// If the file cannot be read.
@@ -54,10 +54,10 @@ pub fn load_nets_of_any_fold(path: &Path) -> anyhow::Result<(PathNet, Card)> {
     PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))
 }
 
-/// Reads DQN of a fold, and how it was trained; without a path, that of the default folder.
+/// Reads the DQN of a fold and its card; without a path, from the default folder.
 ///
 /// # Errors
-/// As those of `load_nets`.
+/// Same as for `load_nets`.
 pub fn load_dqn(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(Dqn, DqnCard)> {
     let path = path.map_or_else(|| training_folder(fold).join("dqn/weights.safetensors"), Path::to_path_buf);
     let name = path.display();
@@ -65,7 +65,7 @@ pub fn load_dqn(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(Dqn, DqnCa
         format!("cannot read DQN's weights in {name}: run `pathlight-lab train dqn`, or name a file with --dqn")
     })?;
     let (net, card) = Dqn::load(&bytes)
-        .with_context(|| format!("cannot use {name} as DQN's weights, which `pathlight-lab train dqn` writes"))?;
+        .with_context(|| format!("cannot use {name} as DQN's weights: name a file from `pathlight-lab train dqn`"))?;
     card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
     Ok((net, card))
 }

@@ -1,17 +1,17 @@
-//! The agents as they are measured and shown: one table, in the order of reports. `pathlight::agents::agent_name` has
-//! their names and starts them.
+//! How the agents are measured and drawn: one table, in the order of reports. `pathlight::agents::agent_name` has their
+//! names and starts them.
 
 use pathlight::agents::agent_name::AgentName;
 
-/// How an agent is called, measured and drawn.
+/// How an agent is measured and drawn.
 pub struct MeasuredAgent {
     pub agent: AgentName,
-    /// The weights of a fold that it is measured with.
+    /// Weights of a fold that the agent is measured with.
     pub weights: Weights,
-    /// Whether it is measured only if it is named.
+    /// Whether the agent is measured only if it is named.
     pub on_request: bool,
     /// Colour and dashes in figures. The colours are those of Okabe and Ito, which colour-blind people can tell apart;
-    /// neighbours differ in lightness too. The random agent is the ground that the others stand out from.
+    /// neighbours differ in lightness too. The random agent is grey, so that the others stand out.
     pub style: (&'static str, &'static str),
 }
 

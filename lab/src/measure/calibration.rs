@@ -1,7 +1,7 @@
-//! Calibration: whether the chances that the model gives to balls come true, on the test tasks of a fold.
+//! Calibration: whether the chances that the model predicts come true, on the test tasks of a fold.
 //!
-//! Uniformly random balls, as a person may place them, few of which the model finds likely; and some of the candidates
-//! that the model itself considers, from the likeliest on.
+//! Two kinds of balls are tried: uniformly random ones, as a person may place them, few of which the model finds
+//! likely; and a sample of the model's own candidates over their whole ranking.
 
 use std::fmt::{self, Write as _};
 use std::path::PathBuf;
@@ -29,13 +29,13 @@ const BINS: usize = 10;
 /// What to measure.
 pub struct Settings {
     pub fold: FoldId,
-    /// Random balls for each task, and as many of the model's candidates.
+    /// Random balls per task, and the same number of the model's candidates.
     pub balls: u16,
-    /// Use only the first N test tasks of each template.
+    /// Use only the first N test tasks per template.
     pub limit: Option<u16>,
     /// Seed of the random balls.
     pub seed: u64,
-    /// Weights of the model; `None` are the shipped ones.
+    /// Weights of the model; `None` means the shipped ones.
     pub weights: Option<PathBuf>,
 }
 
@@ -45,7 +45,7 @@ impl Default for Settings {
     }
 }
 
-/// What was measured, and how. The `--json` file.
+/// The measurement and its settings: the content of the `--json` file.
 #[derive(Serialize, Deserialize)]
 pub struct Calibration {
     pub setup: Setup,
@@ -57,31 +57,31 @@ pub struct Calibration {
     pub agents_version: u32,
     /// How the model was trained.
     pub card: Card,
-    /// Test tasks that the balls were tried in.
+    /// Number of test tasks.
     pub tasks: usize,
     /// Chances from 0 to 1, in bins of equal width.
     pub random: Vec<Bin>,
     pub candidates: Vec<Bin>,
 }
 
-/// The balls to which the model gives a chance in one bin.
+/// The balls whose predicted chance is in one bin.
 #[derive(Clone, Copy, Default, Serialize, Deserialize)]
 pub struct Bin {
     pub balls: u32,
-    /// The mean of the chances, 0..=1; 0 without balls.
+    /// Mean predicted chance, 0..=1; 0 without balls.
     pub chance: f64,
-    /// How many of the balls solve.
+    /// Number of balls that solve.
     pub solved: u32,
 }
 
-/// The chance that the model gives to a ball, 0..=1, and whether the ball solves.
+/// The predicted chance of a ball, 0..=1, and whether the ball solves.
 type Trial = (f64, bool);
 
 impl Settings {
-    /// Measures the chances.
+    /// Measures the calibration.
     ///
     /// # Errors
-    /// If the weights cannot be used for it.
+    /// If the weights cannot be used.
     pub fn measure(&self) -> anyhow::Result<Calibration> {
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
         let tasks = TaskSet::Test.tasks(self.fold, self.limit);
@@ -101,7 +101,7 @@ impl Settings {
         })
     }
 
-    /// Random balls in a task, and some of the model's candidates.
+    /// Tries random balls in a task, and some of the model's candidates.
     fn trials(&self, nets: &PathNet, id: TaskId) -> anyhow::Result<[Vec<Trial>; 2]> {
         let scene = Task::load(id)?.scene;
         let count = usize::from(self.balls);
@@ -141,7 +141,7 @@ fn bins<'a>(trials: impl Iterator<Item = &'a Trial>) -> Vec<Bin> {
 }
 
 impl Calibration {
-    /// The bins as a table for people.
+    /// Formats the bins as a table.
     pub fn table(&self) -> Result<String, fmt::Error> {
         let Calibration { setup, fold, tasks, seed, random, candidates, .. } = self;
         let mut text = format!("{setup}-{fold}, {tasks} test tasks, seed {seed}\n");
@@ -155,7 +155,7 @@ impl Calibration {
 }
 
 impl Bin {
-    /// The bin as a cell of the table.
+    /// Formats the bin as a cell of the table.
     fn words(self) -> String {
         let share = match self.balls {
             0 => "-".to_string(),

@@ -1,6 +1,6 @@
-//! Auccess of agents on a fold's test tasks, beside the random agent.
+//! Measures the auccess of agents, and of the random agent for comparison, on the test tasks of a fold.
 //!
-//! Only counted attempts are simulated: an agent proposes one ball at a time and observes what became of it, until one
+//! Only counted attempts are simulated: an agent proposes one ball at a time and observes its outcome, until a ball
 //! solves the task.
 
 use std::path::PathBuf;
@@ -26,21 +26,21 @@ use crate::progress::Progress;
 /// What to measure.
 #[derive(Default)]
 pub struct Settings {
-    /// If empty, all agents that the weights allow, except those with `on_request`; DQN only if `dqn` is set. The
-    /// random agent is always measured too.
+    /// Agents to measure. If empty, all that the weights support, except those with `on_request`; DQN only if `dqn` is
+    /// set. The random agent is always measured too.
     pub agents: Vec<AgentName>,
     pub fold: FoldId,
     pub tasks: TaskSet,
-    /// Use only the first N of these tasks of each template.
+    /// Use only the first N of these tasks per template.
     pub limit: Option<u16>,
     /// Seed of all random draws.
     pub seed: u64,
-    /// Let the agents that can carry what attempts taught them from task to task, in each of these orders.
+    /// Also measure agents that support a memory with one, in each of these orders of tasks.
     pub memory: Vec<Order>,
     pub engine: Engine,
-    /// Weights of the model; `None` are the shipped ones.
+    /// Weights of the model; `None` means the shipped ones.
     pub weights: Option<PathBuf>,
-    /// Weights of DQN; `None` are those of the default folder, if the agent is named.
+    /// Weights of DQN; `None` means those of the default folder, if the agent is named.
     pub dqn: Option<PathBuf>,
 }
 
@@ -48,7 +48,7 @@ impl Settings {
     /// Measures the agents.
     ///
     /// # Errors
-    /// If the weights cannot be used for it.
+    /// If the weights cannot be used.
     pub fn measure(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
         let tasks = self.tasks.tasks(self.fold, self.limit);
         let mut report = Report {
@@ -69,7 +69,7 @@ impl Settings {
         let (mut nets, mut is_of_fold) = (None, true);
         if AgentName::ALL.into_iter().any(|agent| agent.is_of_model() && self.measures(agent)) {
             let (loaded, mut card) = load_nets_for_dynamics(self.weights.as_deref(), self.fold)?;
-            // The dynamics net may know no task, and the others those of another fold.
+            // The dynamics net may have seen no task, while the other nets belong to another fold.
             is_of_fold = card.fold_id() == self.fold;
             for agent in AgentName::ALL.into_iter().filter(|&agent| self.measures(agent)) {
                 match row(agent).weights {
@@ -129,7 +129,7 @@ impl Settings {
         Ok(report)
     }
 
-    /// Whether an agent of a model is asked for.
+    /// Whether the settings ask for an agent.
     fn measures(&self, agent: AgentName) -> bool {
         if self.agents.is_empty() { !row(agent).on_request } else { self.agents.contains(&agent) }
     }

@@ -1,8 +1,8 @@
-//! How well the simulator agrees with PHYRE's own: rollouts that are the same to the bit, and outcomes that are those
-//! that PHYRE recorded.
+//! Measures how well the simulator agrees with PHYRE's: how many rollouts are bit-identical, and how many outcomes
+//! match PHYRE's record.
 //!
-//! The reference folder has outcomes.jsonl (task, ball, kind, solved, digest); it is not part of the project. With
-//! another engine than the first, the table of the first comes before its own.
+//! The reference folder contains outcomes.jsonl (task, ball, kind, solved, digest) and is not part of the project. For
+//! an engine other than the first, the table of the first engine is printed before its own.
 
 use std::fs;
 use std::io::Write;
@@ -25,7 +25,7 @@ use crate::progress::Progress;
 pub struct Settings {
     /// Folder with outcomes.jsonl.
     pub reference: PathBuf,
-    /// Only the first tasks of each template.
+    /// Maximum number of tasks per template; the first are used.
     pub limit: usize,
     pub engine: Engine,
 }
@@ -36,7 +36,7 @@ struct Recorded {
     task: TaskId,
     ball: Ball,
     kind: Kind,
-    /// PHYRE's record; of random balls the outcome in its Box2D.
+    /// PHYRE's record; for random balls, the outcome in its Box2D.
     solved: bool,
     /// `simulator::Digest` of the rollout in its Box2D.
     digest: String,
@@ -46,9 +46,9 @@ struct Recorded {
 #[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Kind {
-    /// A solution that still solves after small shifts, on PHYRE's own engine.
+    /// A solution that still solves after small shifts, in PHYRE's own engine.
     Stable,
-    /// A solution that does not.
+    /// A solution that is not stable.
     Unstable,
     /// A uniform valid ball.
     Random,
@@ -62,7 +62,7 @@ const COLUMNS: [(&str, Kind, bool); 4] = [
     ("random solves", Kind::Random, true),
 ];
 
-/// How many rollouts are the same to the bit, and how many outcomes agree, of how many.
+/// Number of bit-identical rollouts, of matching outcomes, and of all rollouts.
 #[derive(Clone, Copy, Default)]
 struct Agreement {
     same: usize,
@@ -74,11 +74,11 @@ impl Settings {
     /// Writes the tables.
     ///
     /// # Errors
-    /// If the reference cannot be used, or nobody takes the tables.
+    /// If the reference cannot be used, or the tables cannot be written.
     pub fn compare(&self, out: &mut dyn Write, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let recorded = read_lines(&self.reference.join("outcomes.jsonl"))?;
         let recorded: Vec<Recorded> = recorded.into_iter().filter(|line: &Recorded| self.wants(line.task)).collect();
-        // Another engine stands beside the first.
+        // Compare any other engine with the first.
         let engines = [Engine::default(), self.engine];
         let engines = &engines[..if engines[1].is_first() { 1 } else { 2 }];
         for &engine in engines {
@@ -92,7 +92,7 @@ impl Settings {
         Ok(())
     }
 
-    /// Is it one of the first tasks of its template? Unknown tasks are kept, so that loading them names them.
+    /// Whether a task is one of the first of its template. Unknown tasks are kept, so that loading them reports them.
     fn wants(&self, task: TaskId) -> bool {
         let selected = TEMPLATES.get(task.template).map_or(&[][..], |template| &template.task_numbers);
         selected.iter().take(self.limit).any(|&number| number == task.number) || !selected.contains(&task.number)
@@ -123,7 +123,7 @@ fn write_agreements(out: &mut dyn Write, engine: Engine, lines: &[Recorded]) -> 
             agreement.all += 1;
         }
     }
-    writeln!(out, "Rollouts that are the same to the bit, outcomes that agree with the record, % (of how many)")?;
+    writeln!(out, "Bit-identical rollouts, outcomes that match PHYRE's record, % (of how many)")?;
     writeln!(out, "{:9}{}", "", COLUMNS.map(|(name, ..)| format!("{name:^27}")).concat())?;
     for (template, columns) in agreements.iter().enumerate() {
         let name = if template < TEMPLATES.len() { format!("{template:05}") } else { "all".into() };
@@ -133,7 +133,7 @@ fn write_agreements(out: &mut dyn Write, engine: Engine, lines: &[Recorded]) -> 
 }
 
 fn read_lines<T: DeserializeOwned>(path: &Path) -> anyhow::Result<Vec<T>> {
-    let cannot_read = || format!("cannot read {}: --reference names the folder it is in", path.display());
+    let cannot_read = || format!("cannot read {}: name its folder with --reference", path.display());
     let bytes = fs::read(path).with_context(cannot_read)?;
     let text = utf8(&bytes).with_context(cannot_read)?;
     let parse =
@@ -145,7 +145,7 @@ fn description(line: &Recorded) -> String {
     format!("task {}, ball {}", line.task, line.ball)
 }
 
-/// Formats both as percentages, and how many there are.
+/// Formats both counts as percentages, followed by the total.
 fn cell(Agreement { same, agree, all }: Agreement) -> String {
     let percent = |count: usize| match all {
         0 => "-".to_string(),

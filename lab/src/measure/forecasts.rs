@@ -1,9 +1,9 @@
-//! How well the dynamics net imagines what balls lead to, on test tasks of a fold or in random scenes.
+//! Measures how well the dynamics net imagines paths and outcomes, on test tasks of a fold or in random scenes.
 //!
-//! Each scene is tried with uniformly random balls and, because few of these solve, with solutions: the known ones of a
-//! task, in random scenes those found among some more random balls. Imagined and real paths are drawn alike, along the
-//! sampled positions, and compared by soft IoU. The body at its start may be half of the image of its path; so a body
-//! that never moves is compared too, as a baseline.
+//! Each scene is tried with uniformly random balls and, because few of these solve, with solutions: for a task, the
+//! known ones; for a random scene, those found among more random balls. Imagined and real paths are drawn alike, along
+//! the sampled positions, and compared by soft IoU. The body at its start may make up half of the image of its path, so
+//! a body that never moves is compared too, as a baseline.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
@@ -34,7 +34,7 @@ use crate::files::weights_file::load_nets;
 /// Samples whose distances are printed: after 1, 3 and 6.7 s, and at the end.
 const PRINTED: [usize; 4] = [3, 8, 12, SAMPLES - 1];
 
-/// Random balls that are tried to find solutions of a scene that is not a task's, and the most solutions taken.
+/// Random balls tried to find solutions of a scene without known ones, and the maximum number of solutions used.
 const SEARCHED: usize = 200;
 const MOST_SOLUTIONS: usize = 10;
 
@@ -42,15 +42,15 @@ const MOST_SOLUTIONS: usize = 10;
 pub struct Settings {
     pub fold: FoldId,
     pub scenes: MeasuredScenes,
-    /// Random balls for each scene; solutions come on top.
+    /// Random balls per scene, in addition to solutions.
     pub balls: usize,
     /// Known solutions.
     pub solutions: PathBuf,
-    /// Use only the first N test tasks of each template.
+    /// Use only the first N test tasks per template.
     pub limit: Option<u16>,
     /// Seed of the random balls.
     pub seed: u64,
-    /// Weights of the model; `None` are the shipped ones.
+    /// Weights of the model; `None` means the shipped ones.
     pub weights: Option<PathBuf>,
 }
 
@@ -62,28 +62,28 @@ impl Default for Settings {
     }
 }
 
-/// What came of a ball beside what was imagined.
+/// The outcome and paths of a ball compared with the imagined ones.
 pub struct Forecast {
     solved: bool,
-    /// 0..=1
+    /// Predicted chance, 0..=1.
     chance: f64,
-    /// From the imagined paths alone, 0..=1.
+    /// Chance predicted from the imagined paths alone, 0..=1.
     path_chance: f64,
-    /// Of the path of the green object, imagined and real.
+    /// Soft IoU of the imagined and real path of the green object.
     object_iou: f64,
-    /// Of an object that stays where it starts.
+    /// Soft IoU if the object were imagined at rest.
     resting_iou: f64,
-    /// Of the path of the action ball.
+    /// Soft IoU of the imagined and real path of the ball.
     ball_iou: f64,
-    /// Between imagined and real positions of the object at each of `PRINTED`, px.
+    /// Distance between imagined and real positions of the object at each of `PRINTED`, px.
     distances: [f64; PRINTED.len()],
 }
 
 impl Settings {
-    /// Measures; returns a table for people.
+    /// Measures the forecasts; returns a table.
     ///
     /// # Errors
-    /// If the weights or the solutions cannot be used for it.
+    /// If the weights or the solutions cannot be used.
     pub fn measure(&self) -> anyhow::Result<String> {
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
         self.scenes.check(&card)?;
@@ -100,7 +100,7 @@ impl Settings {
         Ok(self.table(scenes.len(), &of_scenes.iter().flatten().collect::<Vec<_>>())?)
     }
 
-    /// Means over the balls that solve, and over the others.
+    /// Formats the means over the balls that solve and over those that do not.
     fn table(&self, scenes: usize, forecasts: &[&Forecast]) -> Result<String, fmt::Error> {
         let mut text = format!(
             "{} {}, {} {}, {} random balls each and solutions, seed {}, simulator {}\n",
@@ -157,7 +157,7 @@ impl Settings {
         Ok(text)
     }
 
-    /// Forecasts for random balls and the solutions of a scene.
+    /// Compares forecasts with rollouts, for random balls and the solutions of a scene.
     fn forecasts(
         &self,
         nets: &PathNet,

@@ -16,7 +16,7 @@ pub enum MeasuredScenes {
 }
 
 impl MeasuredScenes {
-    /// Returns the scenes, of tasks at most those of the first `limit` of each template.
+    /// Returns the ids of the scenes; of tasks, at most the first `limit` per template.
     pub fn ids(self, fold: FoldId, limit: Option<u16>) -> Vec<SceneId> {
         match self {
             MeasuredScenes::Tasks(tasks) => tasks.tasks(fold, limit).into_iter().map(SceneId::Task).collect(),
@@ -24,15 +24,15 @@ impl MeasuredScenes {
         }
     }
 
-    /// Checks that the dynamics net of a model has not seen them.
+    /// Checks that the dynamics net of a model has not seen the scenes.
     ///
     /// # Errors
-    /// If it may have.
+    /// If it may have seen them.
     pub fn check(self, card: &Card) -> anyhow::Result<()> {
         if let MeasuredScenes::Tasks(tasks) = self { tasks.check_dynamics(card) } else { Ok(()) }
     }
 
-    /// What they are, after their number.
+    /// Noun for the scenes, to follow their number.
     pub fn words(self) -> &'static str {
         match self {
             MeasuredScenes::Tasks(tasks) => tasks.words(),

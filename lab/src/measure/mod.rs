@@ -1,5 +1,5 @@
-//! Measurements: agents and chances on the test tasks of a fold, forecasts there or in random scenes, and the simulator
-//! beside PHYRE's.
+//! Measurements: agents and chances on the test tasks of a fold, forecasts there or in random scenes, and the fidelity
+//! of the simulator to PHYRE's.
 
 pub mod agents;
 pub mod calibration;

@@ -1,7 +1,7 @@
-//! Collects the measurements of the shipped models into the small file from which the page shows them.
+//! Collects the measurements of the shipped models in a small file that the page shows.
 //!
-//! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its
-//! chances; and the comparison with published figures.
+//! For each model, the file holds the first solving attempt of every agent at every test task of its fold and the
+//! calibration of its chances. It also holds the comparison with published figures.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -21,7 +21,7 @@ use crate::training::publish::{ModelEntry, ModelList};
 #[derive(Serialize)]
 struct Results<'a, T> {
     models: Vec<ModelResults>,
-    /// The agents over all folds, beside published figures.
+    /// The agents over all folds, compared with published figures.
     compared: &'a T,
 }
 
@@ -33,16 +33,16 @@ struct ModelResults {
     agents_version: u32,
     /// All test tasks of the model's fold, ascending.
     tasks: Vec<TaskId>,
-    /// For each agent its auccess, 0..=100.
+    /// The auccess of each agent, 0..=100.
     auccess: BTreeMap<String, f64>,
-    /// For each agent the first attempt that solved each task, from 1; null if none of a hundred did.
+    /// For each agent, the first attempt that solved each task, from 1; null if none of a hundred did.
     first_solved: BTreeMap<String, Vec<Option<usize>>>,
     /// How often balls solve, in ten bins of their predicted chance: uniformly random balls, and the model's own
     /// candidates.
     calibration: BTreeMap<&'static str, Vec<Bin>>,
 }
 
-/// Writes `results.json` beside the weights of the models; returns its path.
+/// Writes `results.json` next to the weights of the models; returns its path.
 ///
 /// # Errors
 /// If a measurement is missing or does not belong to the weights, or the file cannot be written.

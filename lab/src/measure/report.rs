@@ -1,5 +1,5 @@
-//! What `measure evaluate` finds: the first solving attempt of each agent at each task, as JSON and as a table. The
-//! results of `reproduce` are such files.
+//! The report of `measure evaluate`: the first solving attempt of each agent at each task, as JSON and as a table. The
+//! results of `reproduce` are such reports.
 
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -16,17 +16,17 @@ use serde::{Deserialize, Serialize};
 use super::task_set::TaskSet;
 use crate::files::json_file;
 
-/// What was measured, and how. The `--json` file.
+/// The measurement and its settings: the content of the `--json` file.
 #[derive(Serialize, Deserialize)]
 pub struct Report {
     pub setup: Setup,
     pub fold: u8,
     pub tasks_of: TaskSet,
-    /// Of each template at most this many of these tasks; absent for all.
+    /// Maximum number of tasks per template; absent if all were measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limit: Option<u16>,
     pub seed: u64,
-    /// What simulated the attempts; absent if that is the first engine.
+    /// The engine that simulated the attempts; absent if it is the first engine.
     #[serde(default, skip_serializing_if = "Engine::is_first")]
     pub engine: Engine,
     /// The version of the engine.
@@ -40,24 +40,24 @@ pub struct Report {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dqn: Option<DqnCard>,
     pub agents: Vec<Score>,
-    /// The commands of the recipe, if `reproduce` made it.
+    /// The commands of the recipe, if `reproduce` made the report.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub made_by: Vec<String>,
-    /// Wall-clock time of these commands times the number of threads; those that another result had run take none.
+    /// Wall-clock time of these commands times the number of threads. Those already run for another result take none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub core_minutes: Option<f64>,
 }
 
-/// An agent, and what it carries from task to task.
+/// An agent, with or without a memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Player {
     pub agent: AgentName,
-    /// In which order it met the tasks, if it has a memory.
+    /// Order in which the agent played the tasks, if it has a memory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub memory: Option<Order>,
 }
 
-/// The order in which an agent with a memory meets the tasks.
+/// Order in which an agent with a memory plays the tasks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Order {
@@ -73,7 +73,7 @@ pub struct Score {
     pub player: Player,
     /// 0..=100
     pub auccess: f64,
-    /// For each task in order of ids the first attempt that solved it, counted from 1; null if none did.
+    /// For each task in order of ids, the first attempt that solved it, counted from 1; null if none did.
     pub first_solved: Vec<Option<usize>>,
 }
 
@@ -100,7 +100,7 @@ impl Score {
     }
 }
 
-/// Formats auccess, and the percentages solved at the first attempt, within 10 and within 100, as a cell of Markdown.
+/// Formats auccess, and the percentages solved at the first attempt, within 10 and within 100, as a Markdown cell.
 pub fn score_cell(firsts: &[Option<usize>]) -> String {
     let [auccess, first, ten, hundred] = score_of(firsts);
     format!("**{auccess:.1}** {first:.0} / {ten:.0} / {hundred:.0} %")
@@ -113,10 +113,10 @@ fn score_of(firsts: &[Option<usize>]) -> [f64; 4] {
 }
 
 impl Report {
-    /// Reads a file of `measure evaluate --json`; `command` makes it.
+    /// Reads a file of `measure evaluate --json`. `command` is the command that makes it.
     ///
     /// # Errors
-    /// If it is missing or damaged, or its lists are not as long as its tasks are many.
+    /// If the file is missing or damaged, or a list does not have one entry per task.
     pub fn read(path: &Path, command: &str) -> anyhow::Result<Report> {
         let report: Report = json_file::read(path, command)?;
         let tasks = report.tasks().len();
@@ -137,25 +137,25 @@ impl Report {
         self.tasks_of.tasks(self.fold_id(), self.limit)
     }
 
-    /// Whether it is of all test tasks of its fold.
+    /// Whether the report covers all test tasks of its fold.
     pub fn is_whole(&self) -> bool {
         self.tasks_of == TaskSet::Test && self.limit.is_none()
     }
 
-    /// The first solving attempts of a player; `None` if it was not measured.
+    /// The first solving attempts of a player; `None` if the player was not measured.
     pub fn first_solved(&self, player: impl Into<Player>) -> Option<&[Option<usize>]> {
         let player = player.into();
         self.agents.iter().find(|score| score.player == player).map(|score| &score.first_solved[..])
     }
 
-    /// The same on the tasks of a template; empty if it was not measured.
+    /// The first solving attempts of a player at the tasks of a template; empty if the player was not measured.
     pub fn of_template(&self, player: impl Into<Player>, template: usize) -> Vec<Option<usize>> {
         let firsts = self.first_solved(player).unwrap_or_default();
         let of_tasks = self.tasks().into_iter().zip(firsts);
         of_tasks.filter(|(task, _)| task.template == template).map(|(_, &first)| first).collect()
     }
 
-    /// The results as a table for people: a row per template and one for all.
+    /// Formats the results as a table: one row per template and one for all.
     ///
     /// # Errors
     /// Only if formatting fails.
@@ -195,7 +195,7 @@ impl Report {
         Ok(text)
     }
 
-    /// How the nets that were measured have been trained, a sentence each.
+    /// Describes how the measured nets were trained, in one sentence each.
     pub fn trainings(&self) -> Vec<String> {
         let mut sentences = Vec::new();
         if let Some(card) = &self.card {

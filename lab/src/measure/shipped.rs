@@ -1,5 +1,5 @@
-//! The measurements of the models on the page. A measurement is matched to weights by their card, so it must be made
-//! again whenever weights are published.
+//! The measurements of the models on the page. A measurement is matched to weights by their card, so new weights need
+//! new measurements.
 
 use std::fs;
 use std::path::Path;
@@ -16,17 +16,17 @@ use super::calibration::Calibration;
 use super::report::Report;
 use crate::files::json_file;
 
-/// What a command measures of a model, as its `--json` file has it.
+/// A measurement of a model, as stored in its `--json` file.
 pub trait Measurement: DeserializeOwned {
-    /// The command that makes it, after `measure`.
+    /// The subcommand of `measure` that makes it.
     const COMMAND: &'static str;
-    /// The end of the file's name, after that of the model.
+    /// Suffix of the file name, after the name of the model.
     const SUFFIX: &'static str;
 
-    /// How the model was trained, if one was measured.
+    /// Card of the model, if one was measured.
     fn card(&self) -> Option<&Card>;
 
-    /// Whether it is of all these test tasks, and of today's agents and simulator.
+    /// Whether the measurement covers all these test tasks, with the current agents and simulator.
     fn is_whole(&self, test: &[TaskId]) -> bool;
 }
 
@@ -59,18 +59,18 @@ impl Measurement for Calibration {
     }
 }
 
-/// The folders of the measurements, and of the weights that they are of.
+/// Folders of the measurements and of the weights that were measured.
 pub struct Shipped<'a> {
     pub measurements: &'a Path,
     pub assets: &'a Path,
 }
 
 impl Shipped<'_> {
-    /// Reads a measurement of a model, and the fold that the model belongs to.
+    /// Reads a measurement of a model, and the fold of the model.
     ///
     /// # Errors
-    /// If it or the weights are missing or damaged, or it is not that of a model with their card on all test tasks of
-    /// their fold, with these agents and this simulator.
+    /// If the measurement or the weights are missing or damaged, or if they do not match: other weights, not all test
+    /// tasks of the fold, or other versions of the agents or the simulator.
     pub fn read<M: Measurement>(&self, name: &str) -> anyhow::Result<(M, FoldId)> {
         let weights = self.assets.join(format!("{name}.safetensors"));
         let weights_name = weights.display();
@@ -96,8 +96,8 @@ impl Shipped<'_> {
         );
         ensure!(
             measured.is_whole(&fold.tasks().test),
-            "{file} is not of all test tasks of its fold, or of another version: measure the model again with \
-             `{command}`"
+            "{file} does not cover all test tasks of its fold, or is of another version: measure the model again \
+             with `{command}`"
         );
         Ok((measured, fold))
     }

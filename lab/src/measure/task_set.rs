@@ -1,4 +1,4 @@
-//! Which tasks of the benchmark agents attempt.
+//! The sets of tasks that agents attempt.
 
 use anyhow::ensure;
 use pathlight::benchmark::folds::FoldId;
@@ -6,7 +6,7 @@ use pathlight::nets::Card;
 use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Serialize};
 
-/// Tasks of the benchmark.
+/// A set of tasks of a fold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum TaskSet {
@@ -18,12 +18,12 @@ pub enum TaskSet {
 }
 
 impl TaskSet {
-    /// The heading of a report on this many of its tasks.
+    /// The heading of a report on `count` of these tasks.
     pub fn heading(self, fold: FoldId, count: usize) -> String {
         format!("{}, fold {}, {count} {}", fold.setup, fold.fold, self.words())
     }
 
-    /// What they are, after their number.
+    /// Noun for the tasks, to follow their number.
     pub fn words(self) -> &'static str {
         match self {
             TaskSet::Test => "test tasks",
@@ -31,7 +31,7 @@ impl TaskSet {
         }
     }
 
-    /// Returns the tasks in ascending order, at most the first `limit` of each template.
+    /// Returns the tasks in ascending order, at most the first `limit` per template.
     pub fn tasks(self, fold: FoldId, limit: Option<u16>) -> Vec<TaskId> {
         let tasks = match self {
             TaskSet::Test => fold.tasks().test,
@@ -45,12 +45,12 @@ impl TaskSet {
     /// Checks that nets have not seen the tasks, if these are dev tasks. `train_command` trains such nets.
     ///
     /// # Errors
-    /// If they were trained on the dev tasks too.
+    /// If the nets were trained on the dev tasks too.
     pub fn check(self, without_dev: bool, train_command: &str) -> anyhow::Result<()> {
         ensure!(
             self != TaskSet::Dev || without_dev,
-            "these nets were trained on the dev tasks too, so --dev would measure nothing new: train some with \
-             `pathlight-lab train {train_command} --without-dev`"
+            "these nets were trained on the dev tasks too: train nets to measure with --dev by `pathlight-lab train \
+             {train_command} --without-dev`"
         );
         Ok(())
     }
@@ -58,7 +58,7 @@ impl TaskSet {
     /// Checks that the dynamics net of a model, if it has one, has seen none of the tasks.
     ///
     /// # Errors
-    /// If it may have.
+    /// If it may have seen one.
     pub fn check_dynamics(self, card: &Card) -> anyhow::Result<()> {
         let dynamics = card.dynamics.as_ref();
         let without_dev = dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.random_scenes_alone);

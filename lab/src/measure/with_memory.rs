@@ -1,5 +1,5 @@
-//! Agents that carry what attempts taught from task to task, as PHYRE's DQN-O does (Bakhtin et al. 2019): they meet the
-//! tasks of a fold one after the other, and are never reset. Only counted attempts are simulated.
+//! Measures agents that keep what they learned from task to task, as PHYRE's DQN-O does (Bakhtin et al. 2019): they
+//! play the tasks of a fold in sequence and are never reset. Only counted attempts are simulated.
 
 use pathlight::agents::agent_name::Loaded;
 use pathlight::agents::memory::{Memory, PuzzleSource};
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::report::{Order, Player, Score};
 use crate::progress::Progress;
 
-/// Measures players on some tasks, each at one after the other.
+/// Measures players on some tasks, which each player plays in sequence.
 ///
 /// # Errors
 /// If the benchmark lacks a task.
@@ -31,7 +31,7 @@ pub fn scores(
     Ok(scores)
 }
 
-/// The first solving attempts, in the order of the tasks given.
+/// Returns the first solving attempts, in the order of `tasks`.
 fn first_solved(player: Player, loaded: Loaded, tasks: &[TaskId], seed: u64) -> anyhow::Result<Vec<Option<usize>>> {
     let in_order: Vec<usize> = (0..tasks.len()).collect();
     let order = match player.memory {

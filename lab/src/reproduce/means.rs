@@ -15,10 +15,10 @@ use crate::measure::report::Player;
 /// The means of our agents and the published ones, as the page shows them.
 #[derive(Serialize)]
 pub struct Comparison {
-    /// By recipe, its first row alone. Auccess within and cross; “–” unless all ten folds are measured.
+    /// For each recipe, the auccess of its first row, within and cross; “–” unless all ten folds are measured.
     ours: Vec<(String, [String; 2])>,
     published: [Published; 5],
-    /// The paper's nets by template, within and cross: published, and ours; “–” where no fold tests it.
+    /// Auccess of the paper's nets by template, within and cross: published, and ours; “–” where no fold tests it.
     paper: [[Vec<String>; 2]; 2],
 }
 
@@ -45,7 +45,7 @@ pub fn comparison(folder: &Path) -> anyhow::Result<Comparison> {
     Ok(Comparison { ours: ours.collect(), published: PUBLISHED, paper: [0, 1].map(by_template) })
 }
 
-/// The mean of a player's auccess over the folds, and the deviation.
+/// The mean and standard deviation of a player's auccess over the folds.
 pub fn mean(results: &Results, player: Player) -> String {
     mean_and_deviation(&results.firsts(player).map(auccess).collect::<Vec<_>>())
 }

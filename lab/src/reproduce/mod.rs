@@ -1,7 +1,7 @@
-//! The results: recipes that say how each row of the table is made, the results of each fold as a file of `measure
+//! The results: recipes that define how each row of the table is made, the result of each fold as a file of `measure
 //! evaluate`, and the table.
 //!
-//! Results do not depend on each other, so they can be made in parallel, on several machines.
+//! Results are independent, so they can be made in parallel on several machines.
 
 use std::path::Path;
 
@@ -19,16 +19,16 @@ pub mod report;
 /// The folder of the results in the repository.
 pub const RESULTS: &str = "results";
 
-/// What makes them again.
+/// The command that makes the results.
 pub const COMMAND: &str = "pathlight-lab reproduce";
 
-/// The results of a recipe in a setup; fewer than ten if some are missing.
+/// The results of a recipe in a setup, one per fold; fewer than ten if some are missing.
 pub struct Results<'a> {
     pub recipe: &'a Recipe,
     pub setup: Setup,
-    /// Folds ascending.
+    /// In ascending order of folds.
     pub reports: Vec<Report>,
-    /// Whether they were made by the steps of the recipe as it is today.
+    /// Whether they were made by the current steps of the recipe.
     pub is_of_today: bool,
 }
 
@@ -36,7 +36,7 @@ impl<'a> Results<'a> {
     /// Reads the results in a folder.
     ///
     /// # Errors
-    /// If one is damaged, is of another fold than its name says, or was made in another way than the others.
+    /// If a result is damaged, is of another fold than its name says, or was made differently from the others.
     pub fn read(folder: &Path, recipes: &'a Recipes) -> anyhow::Result<Vec<Results<'a>>> {
         let mut all = Vec::new();
         for recipe in recipes.iter() {
@@ -55,7 +55,7 @@ impl<'a> Results<'a> {
         self.reports.iter().filter_map(move |report| report.first_solved(player))
     }
 
-    /// The same at the tasks of a template, of all folds that test it.
+    /// The first solving attempts of a player at the tasks of a template, on all folds that test it.
     pub fn of_template(&self, player: Player, template: usize) -> Vec<Option<usize>> {
         self.reports.iter().flat_map(|report| report.of_template(player, template)).collect()
     }
@@ -82,8 +82,8 @@ fn reports(folder: &Path, recipe: &Recipe, setup: Setup) -> anyhow::Result<Vec<R
         if let Some(first) = reports.first() {
             ensure!(
                 of(&report) == of(first),
-                "{name} was made in another way than {}.json beside it (steps, seed, versions or number of tasks): \
-                 remove one of them, and run `{COMMAND}`",
+                "{name} was made differently from {}.json (steps, seed, versions or number of tasks): remove one of \
+                 them, and run `{COMMAND}`",
                 first.fold_id()
             );
         }

@@ -1,11 +1,11 @@
-//! What others have published: auccess, mean over the ten folds, in PHYRE's simulator.
+//! Published results: auccess in PHYRE's simulator, mean over the ten folds.
 
 use serde::Serialize;
 
 /// A published result.
 #[derive(Serialize)]
 pub struct Published {
-    /// The name of the method, the same in every language; empty if it goes by its authors.
+    /// Name of the method in every language; empty if it is known by its authors.
     method: &'static str,
     source: &'static str,
     url: &'static str,
@@ -14,7 +14,7 @@ pub struct Published {
 }
 
 impl Published {
-    /// What reports call it.
+    /// The label in reports.
     pub fn label(&self) -> String {
         let separator = if self.method.is_empty() { "" } else { ", " };
         format!("{}{separator}[{}]({})", self.method, self.source, self.url)
@@ -23,8 +23,8 @@ impl Published {
 
 const HARTER: [&str; 2] = ["Harter et al. (2020)", "https://arxiv.org/abs/2011.07357"];
 
-/// The best without learning across test tasks that we know of, one a setup; Harter et al. (2020), Table 1, for their
-/// nets and for DQN; the benchmark (PHYRE 0.2.2) for RAND.
+/// For each setup, the best result without learning across test tasks that we know of; for the nets of Harter et al.
+/// (2020) and DQN, their Table 1; for RAND, the benchmark (PHYRE 0.2.2).
 pub const PUBLISHED: [Published; 5] = [
     Published {
         method: "",
@@ -48,8 +48,8 @@ pub const PUBLISHED: [Published; 5] = [
     },
 ];
 
-/// What Harter et al. (2020) report of their nets on each template, within and cross, “–” where no fold tests it.
-/// 00006 is tested by no fold of cross.
+/// Auccess that Harter et al. (2020) report for their nets on each template, within and cross; “–” where no fold tests
+/// it: no fold of cross tests 00006.
 pub const BY_TEMPLATE: [&str; 2] = [
     "80 89 87 95 79 82 86 62 69 77 31 53 52 65 84 78 39 41 69 45 46 29 30 45 42",
     "51 54 67 67 57 63 – 30 24 14 14 38 48 51 15 25 14 5 37 17 24 3 9 6 6",

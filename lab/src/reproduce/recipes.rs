@@ -1,4 +1,4 @@
-//! How each row of the results is made, as `lab/recipes.toml` says: by commands of this program.
+//! The recipes of `lab/recipes.toml`: how commands of this program make each row of the results.
 
 use std::path::Path;
 
@@ -19,11 +19,11 @@ pub struct Recipes {
     recipe: Vec<Recipe>,
 }
 
-/// How the results of a folder are made.
+/// How a folder of results is made.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Recipe {
-    /// Of the folder of its results too.
+    /// Name of the recipe and of the folder of its results.
     pub name: String,
     pub learns_from: String,
     after: Option<String>,
@@ -52,15 +52,15 @@ impl Row {
 }
 
 impl Recipes {
-    /// Reads recipes, like those of `RECIPES`.
+    /// Parses recipes in the format of `RECIPES`.
     ///
     /// # Errors
-    /// If they are not such recipes.
+    /// If the text has another format.
     pub fn parse(text: &str) -> anyhow::Result<Recipes> {
         let recipes: Recipes = toml::from_str(text)?;
         for (index, Recipe { name, after, rows, .. }) in recipes.recipe.iter().enumerate() {
             let is_above = |after: &String| recipes.recipe[..index].iter().any(|other| other.name == *after);
-            ensure!(after.as_ref().is_none_or(is_above), "the recipe {name} comes after one that is not above it");
+            ensure!(after.as_ref().is_none_or(is_above), "the recipe {name} must come below the one in its `after`");
             ensure!(!rows.is_empty(), "the recipe {name} has no rows: name the agents that it measures");
         }
         Ok(recipes)
@@ -73,14 +73,14 @@ impl Recipes {
     /// Finds a recipe by its name.
     ///
     /// # Errors
-    /// If there is none.
+    /// If no recipe has this name.
     pub fn named(&self, name: &str) -> anyhow::Result<&Recipe> {
         let names = || self.iter().map(|recipe| recipe.name.as_str()).collect::<Vec<_>>().join(", ");
         let found = self.iter().find(|recipe| recipe.name == name);
         found.with_context(|| format!("there is no recipe {name}: name one of {}", names()))
     }
 
-    /// The commands that make the results of a recipe in a setup, with what stands for fold and files in them.
+    /// The commands that make the results of a recipe in a setup, with placeholders for fold and files.
     pub fn steps(&self, recipe: &Recipe, setup: Setup) -> Vec<String> {
         let of_setup = if setup == Setup::Within { &recipe.within } else { &recipe.cross };
         let own = recipe.steps.iter().chain(of_setup).cloned();
@@ -90,7 +90,7 @@ impl Recipes {
     }
 }
 
-/// The words of a step for a fold.
+/// Splits a step into words and replaces its placeholders.
 pub fn words(step: &str, fold: FoldId, runs: &Path, result: &Path) -> Vec<String> {
     let of = format!("--setup {} --fold {}", fold.setup, fold.fold);
     let with_files = |word: &str| {

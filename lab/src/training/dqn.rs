@@ -1,7 +1,7 @@
-//! Trains DQN, the benchmark's baseline, on labelled balls, into a weights file of its own.
+//! Trains DQN, the benchmark's baseline, on labelled balls, and writes it to a separate weights file.
 //!
-//! As published (Bakhtin et al. 2019): binary cross-entropy on batches of which half are solutions. Here they are
-//! balanced in each scene, many balls share one reading of it, and scenes are mirrored.
+//! As published (Bakhtin et al. 2019), the loss is binary cross-entropy on batches of which half are solutions. Unlike
+//! there, each scene is balanced, many balls share one encoding of a scene, and scenes are mirrored.
 
 use std::path::PathBuf;
 
@@ -20,13 +20,13 @@ use crate::progress::Progress;
 /// What to train.
 pub struct Settings {
     pub fold: FoldId,
-    /// Balls with their outcome.
+    /// Files of labelled balls.
     pub labels: Vec<PathBuf>,
     /// Passes over the scenes.
     pub epochs: usize,
     /// Half of the balls of each scene in a batch are solutions.
     pub recipe: LabelsRecipe,
-    /// Leave the fold's dev tasks out, so that settings may be chosen on them.
+    /// Train without the fold's dev tasks, so that settings can be chosen on them.
     pub without_dev: bool,
     pub run: RunSettings,
 }
@@ -40,7 +40,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Trains, or continues with it. Returns the file of the weights if the run is complete.
+    /// Starts or continues training. Returns the weights file if the run is complete.
     ///
     /// # Errors
     /// If the labels cannot be used, or the folder cannot be continued or written.
@@ -76,7 +76,7 @@ impl Settings {
         run.write_weights(|card| run.trainer.nets().save(card)).map(Some)
     }
 
-    /// A batch of the run, by its number.
+    /// Makes a batch of the run, by its number.
     fn batch(&self, scenes: &LabelledScenes, number: usize) -> DqnBatch {
         let mut batch = DqnBatch::default();
         let sampling = Sampling::Balanced(self.recipe.balls_per_scene);

@@ -1,8 +1,8 @@
-//! Trains the net that imagines what balls lead to, and adds it to the weights of the four nets, where it takes the
-//! place of a success net.
+//! Trains the dynamics net, which imagines the paths and outcomes of balls, and adds it to the weights of the four
+//! nets, where it replaces a success net.
 //!
-//! It learns from no test task of the fold that the four nets were trained on, so that the weights as a whole have seen
-//! none.
+//! It learns from no test task of the fold that the four nets were trained on, so that none of the nets in the file has
+//! seen one.
 
 use std::path::{Path, PathBuf};
 
@@ -23,34 +23,33 @@ use crate::progress::Progress;
 /// What to train.
 pub struct Settings {
     pub fold: FoldId,
-    /// Weights of the four nets; `None` are the shipped ones.
+    /// Weights of the four nets; `None` means the shipped ones.
     pub weights: Option<PathBuf>,
-    /// Balls with their outcomes and paths.
+    /// Files of labelled balls.
     pub labels: Vec<PathBuf>,
     /// Passes over the scenes.
     pub epochs: usize,
     pub recipe: DynamicsRecipe,
-    /// Leave the fold's dev tasks out, so that settings may be chosen on them.
+    /// Train without the fold's dev tasks, so that settings can be chosen on them.
     pub without_dev: bool,
-    /// Start from the dynamics net of these weights, not from fresh weights.
+    /// Start from the dynamics net in this file instead of random weights.
     pub from: Option<PathBuf>,
     pub run: RunSettings,
 }
 
-/// How it is trained.
+/// How the dynamics net is trained.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DynamicsRecipe {
     /// Scenes per batch.
     pub batch: u16,
-    /// The optimiser.
     pub optimiser: Optimiser,
-    /// Its highest learning rate.
+    /// Peak learning rate.
     pub learning_rate: f64,
-    /// Balls of each scene in a batch, sampled anew each time.
+    /// Balls per scene in a batch, resampled for each batch.
     pub balls_per_scene: u16,
-    /// Of these, balls whose paths are learned.
+    /// Balls per scene in a batch whose paths are learned too.
     pub imagined_per_scene: u16,
-    /// How much these paths count in the loss.
+    /// Weights of these paths in the loss.
     pub path_weights: PathWeights,
 }
 
@@ -83,7 +82,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Trains, or continues with it. Returns the file of the weights of all nets if the run is complete.
+    /// Starts or continues training. Returns the weights file of all nets if the run is complete.
     ///
     /// # Errors
     /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
@@ -141,13 +140,13 @@ impl Settings {
         if !complete {
             return Ok(None);
         }
-        // Its own logits of the cells take the place of the success net's.
+        // Its cell logits replace those of the success net.
         (nets.success, nets.dynamics) = (None, Some(run.trainer.nets()));
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 
-    /// The dynamics net of a weights file of this fold, or of any if it has seen no task; `without_dev`: it must not
-    /// have learned from the dev tasks.
+    /// Loads the dynamics net of a weights file, which must belong to this fold unless the net was trained on random
+    /// scenes alone. With `without_dev`, the net must not have been trained on the dev tasks.
     fn dynamics_of(&self, path: &Path, without_dev: bool) -> anyhow::Result<(DynamicsNet, DynamicsCard)> {
         let name = path.display();
         let (nets, card) = load_nets_of_any_fold(path)?;
@@ -159,14 +158,14 @@ impl Settings {
             trained_on.check(self.fold).with_context(|| format!("cannot use {name}"))?;
             ensure!(
                 card.without_dev || !without_dev,
-                "{name} was trained on dev tasks: name weights that were trained with --without-dev, or train all nets \
-                 on dev tasks"
+                "{name} was trained on dev tasks: name weights trained with --without-dev, or train all nets on dev \
+                 tasks"
             );
         }
         Ok((net, card))
     }
 
-    /// A batch of the run, by its number.
+    /// Makes a batch of the run, by its number.
     fn batch(&self, scenes: &LabelledScenes, number: usize) -> DynamicsBatch {
         let mut batch = DynamicsBatch::default();
         let sampling = Sampling::Uniform(self.recipe.balls_per_scene);

@@ -1,5 +1,5 @@
-//! The labelled balls that a net of a fold may learn from, by scene, and those of them that make a batch; used by the
-//! trainings of success net, dynamics net and DQN.
+//! The labelled balls that a net of a fold may learn from, by scene, and the drawing of batches from them; used to
+//! train the success net, the dynamics net and DQN.
 
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::PathBuf;
@@ -29,13 +29,13 @@ pub struct LabelledScene {
     id: SceneId,
     pub scene: Scene,
     pub starts: Starts,
-    /// Each with whether it solves the task.
+    /// Each ball, and whether it solves the scene.
     pub balls: Vec<(Ball, bool)>,
     /// `PATHS_LEN` bytes for each ball.
     paths: Vec<u8>,
 }
 
-/// Which balls of a scene a batch takes.
+/// How a batch chooses balls of a scene.
 #[derive(Clone, Copy)]
 pub enum Sampling {
     /// Up to this many different balls.
@@ -44,10 +44,10 @@ pub enum Sampling {
     Balanced(u16),
 }
 
-/// What a batch takes of a scene.
+/// The part of a scene in a batch.
 pub struct Drawn<'a> {
     pub scene: &'a LabelledScene,
-    /// Indices of balls.
+    /// Indices into the balls of the scene.
     pub balls: Vec<usize>,
     /// Whether scene and balls are mirrored left to right.
     pub mirrored: bool,
@@ -61,7 +61,7 @@ impl LabelledScene {
         Ok(LabelledScene { id, scene, starts, balls: Vec::new(), paths: Vec::new() })
     }
 
-    /// Adds balls, but for those that were sampled around a solution of a task that is not one of these.
+    /// Adds balls, except those that were sampled around a solution of a task outside `tasks`.
     fn add(&mut self, LabelledBalls { solved, failed, siblings, paths, .. }: LabelledBalls, tasks: &[TaskId]) {
         let balls = solved.into_iter().map(|ball| (ball, true)).chain(failed.into_iter().map(|ball| (ball, false)));
         for (index, ball) in balls.enumerate() {
@@ -72,7 +72,7 @@ impl LabelledScene {
         }
     }
 
-    /// Draws the indices of balls.
+    /// Draws indices of balls.
     fn draw(&self, sampling: Sampling, rng: &mut Pcg64Mcg) -> Vec<usize> {
         match sampling {
             Sampling::Uniform(count) => {
@@ -99,8 +99,8 @@ pub fn training_tasks(fold: FoldId, without_dev: bool) -> Vec<TaskId> {
     if without_dev { tasks.train } else { tasks.all_train() }
 }
 
-/// Whether a net that is trained on these tasks may learn from a scene: from these tasks, unlisted tasks
-/// of their templates, and random scenes.
+/// Whether a net that is trained on these tasks may learn from a scene: one of the tasks, an unlisted task of their
+/// templates, or a random scene.
 fn trains_on(scene: SceneId, tasks: &[TaskId]) -> bool {
     match scene {
         SceneId::Task(task) => tasks.binary_search(&task).is_ok(),
@@ -114,7 +114,8 @@ impl LabelledScenes {
     /// tasks.
     ///
     /// # Errors
-    /// If a file cannot be used, may reveal the fold's test tasks, or none has balls that a net of it may learn from.
+    /// If a file cannot be used or may reveal the fold's test tasks, or if no file has balls that the net may learn
+    /// from.
     pub fn read(files: &[PathBuf], fold: FoldId, without_dev: bool) -> anyhow::Result<LabelledScenes> {
         let tasks = training_tasks(fold, without_dev);
         let mut scenes: BTreeMap<SceneId, LabelledScene> = BTreeMap::new();
@@ -123,7 +124,7 @@ impl LabelledScenes {
             let labelled = read_labels(path)?;
             ensure!(
                 labelled.is_complete(),
-                "{} ends within a round: let `pathlight-lab data label` finish it",
+                "{} ends within a round: finish it with `pathlight-lab data label`",
                 path.display()
             );
             let training_tasks_of = labelled.training_tasks_of.map(|(setup, fold)| FoldId { setup, fold });
@@ -143,15 +144,15 @@ impl LabelledScenes {
         scenes.retain(|id, scene| !matches!(id, SceneId::Unlisted(..)) || is_solved(scene));
         ensure!(
             !scenes.is_empty(),
-            "the labels hold no balls of the training tasks of {fold}: label all templates, in one round at least"
+            "the labels hold no balls of the training tasks of {fold}: label all templates in at least one round"
         );
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
 
-    /// These scenes, for a net whose card does not count unlisted tasks and random scenes.
+    /// Returns the scenes, for a net whose card does not count unlisted tasks and random scenes.
     ///
     /// # Errors
-    /// If the labels hold any.
+    /// If the labels hold unlisted tasks or random scenes.
     pub fn of_tasks(self) -> anyhow::Result<LabelledScenes> {
         let only_dynamics = "only the dynamics net learns from those";
         ensure!(self.random() == 0, "the labels hold balls in random scenes: {only_dynamics}");
@@ -164,12 +165,12 @@ impl LabelledScenes {
         self.0.iter().map(|scene| scene.balls.len()).sum()
     }
 
-    /// How many of the scenes are those of unlisted tasks.
+    /// The number of scenes that are unlisted tasks.
     pub fn unlisted(&self) -> usize {
         self.0.iter().filter(|scene| matches!(scene.id, SceneId::Unlisted(..))).count()
     }
 
-    /// How many of the scenes are random.
+    /// The number of random scenes.
     pub fn random(&self) -> usize {
         self.0.iter().filter(|scene| matches!(scene.id, SceneId::Random(_))).count()
     }
@@ -179,7 +180,7 @@ impl LabelledScenes {
         self.random() == self.0.len()
     }
 
-    /// The number of batches that take every scene once.
+    /// The number of batches that cover every scene once.
     fn batches_per_epoch(&self, batch: u16) -> usize {
         self.0.len().div_ceil(batch.into())
     }
@@ -190,7 +191,7 @@ impl LabelledScenes {
         Plan { epochs, batches_per_epoch: self.batches_per_epoch(batch), schedule }
     }
 
-    /// Draws a batch of this many scenes; it depends only on the seed of the run and its number.
+    /// Draws a batch of this many scenes, which depends only on the seed of the run and the number of the batch.
     pub fn draw(
         &self,
         batch: u16,

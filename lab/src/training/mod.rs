@@ -1,6 +1,6 @@
 //! The training runs of all nets, and publishing their weights.
 //!
-//! Each net has a module with its settings and a function that trains it; `training_run` keeps a run in a folder.
+//! Each net has a module with its settings and a function that trains it; `training_run` stores a run in a folder.
 
 pub mod dqn;
 pub mod dynamics;

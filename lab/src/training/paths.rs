@@ -49,14 +49,14 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Trains, or continues with it. Returns the file of the weights if the run is complete.
+    /// Starts or continues training. Returns the weights file if the run is complete.
     ///
     /// # Errors
     /// If the solutions cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
         ensure!(
             self.recipe.decay_epochs <= self.epochs,
-            "the learning rate cannot decay over {} epochs of {}: lower --decay-epochs",
+            "the learning rate cannot decay over {} epochs in a run of {}: lower --decay-epochs",
             self.recipe.decay_epochs,
             self.epochs
         );
@@ -88,7 +88,7 @@ impl Settings {
         run.write_weights(|card| run.trainer.nets().save(card)).map(Some)
     }
 
-    /// A batch of the run; it depends only on the seed and its number.
+    /// Makes a batch of the run, which depends only on the seed and the number of the batch.
     fn batch(&self, samples: &[Sample], number: usize) -> PathsBatch {
         let size = usize::from(self.recipe.batch);
         let batches_per_epoch = samples.len().div_ceil(size);
@@ -115,12 +115,16 @@ impl Settings {
         let name = self.solutions.display();
         ensure!(
             version == simulator::VERSION,
-            "the solutions in {name} were found by simulator {version}, this is simulator {}: collect them again",
+            "the solutions in {name} were found by simulator {version}, but this is simulator {}: collect them again",
             simulator::VERSION
         );
         let mut chosen: Vec<Solution> =
             solutions.into_iter().filter(|solution| tasks.binary_search(&solution.task).is_ok()).collect();
-        ensure!(!chosen.is_empty(), "{name} holds no solutions of the training tasks of {}", self.fold);
+        ensure!(
+            !chosen.is_empty(),
+            "{name} holds no solutions of the training tasks of {}: name another file with --solutions",
+            self.fold
+        );
         chosen.sort_by_key(|solution| solution.task);
         let card = Card {
             setup: self.fold.setup,
@@ -145,7 +149,7 @@ impl Settings {
 /// Returns the sample of a ball that solves a scene, from two rollouts: one without the ball and one with it.
 ///
 /// # Errors
-/// If the ball may not be placed in the scene.
+/// If the ball is invalid in the scene.
 pub fn sample(scene: &Scene, ball: Ball) -> Result<Sample, Invalid> {
     let (without, with) = (simulate(scene, None)?, simulate(scene, Some(ball))?);
     let object = &scene.bodies[scene.body1];

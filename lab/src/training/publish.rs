@@ -1,8 +1,7 @@
-//! Copies trained weights to where the page loads them from.
+//! Copies trained weights to the folder from which the page loads them.
 //!
-//! They are rounded there, so that each takes one byte instead of two, and named by their setup and fold. The list of
-//! all weights beside them has the hash by which the page checks a download, and the size by which it shows the
-//! progress.
+//! The copies are rounded, so that each weight takes one byte instead of two, and named by setup and fold. The list
+//! next to them has the hash by which the page checks a download, and the size by which it shows progress.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,14 +28,14 @@ pub struct ModelEntry {
     sha256: String,
 }
 
-/// Copies weights, rounded, to the folder that the page loads them from, and writes the list of all that are there.
-/// Returns the files that were written.
+/// Rounds weights, copies them to the folder from which the page loads them, and lists all weights there. Returns the
+/// files that were written.
 ///
 /// # Errors
 /// If weights cannot be used, or the folder cannot be written.
 pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf>> {
     fs::create_dir_all(assets).with_context(|| format!("cannot create {}", assets.display()))?;
-    // All are checked before any is written.
+    // Check all before writing any.
     let mut copies: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     for path in weights {
         let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
@@ -71,7 +70,7 @@ pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf
 fn entries(folder: &Path) -> anyhow::Result<Vec<ModelEntry>> {
     let mut entries = Vec::new();
     for file in fs::read_dir(folder)? {
-        // The names that this command writes are UTF-8.
+        // Names that this command writes are UTF-8.
         if let Ok(file) = file?.file_name().into_string()
             && let Some(name) = file.strip_suffix(".safetensors")
         {

@@ -1,6 +1,6 @@
-//! The settings that the trainings share.
+//! Settings shared by the training commands.
 //!
-//! A recipe, with data, epochs and seed, decides the weights. The card of weights has its fields too.
+//! A recipe, the data, the epochs and the seed determine the weights. The card of the weights records the recipe too.
 
 use std::path::PathBuf;
 
@@ -9,13 +9,13 @@ use pathlight::nets::Optimiser;
 /// Seed and files of a run.
 #[derive(Clone, Debug)]
 pub struct RunSettings {
-    /// Folder of the run: checkpoint, losses.csv, weights.safetensors; `None` is the default one of the fold.
+    /// Folder of the run: checkpoint, losses.csv, weights.safetensors; `None` means the default folder of the fold.
     pub out: Option<PathBuf>,
-    /// Batches between two checkpoints, and between two lines of losses.csv.
+    /// Batches between checkpoints, and between lines of losses.csv.
     pub checkpoint: u16,
     /// Stop at the first checkpoint after this many batches.
     pub stop_after: Option<usize>,
-    /// Seed of the initial weights, and of the order of the samples or scenes.
+    /// Seed of the initial weights and of the order of the samples or scenes.
     pub seed: u64,
 }
 
@@ -34,9 +34,9 @@ pub struct PathsRecipe {
     pub learning_rate: f64,
     /// Number of final epochs over which the learning rate decays linearly to zero.
     pub decay_epochs: usize,
-    /// Show half of the samples mirrored left to right: PHYRE's world is symmetric.
+    /// Mirror half of the samples left to right; PHYRE's world is symmetric.
     pub mirror: bool,
-    /// Leave the dev tasks out of training, so that settings can be chosen on them.
+    /// Train without the dev tasks, so that settings can be chosen on them.
     pub without_dev: bool,
 }
 
@@ -51,11 +51,10 @@ impl Default for PathsRecipe {
 pub struct LabelsRecipe {
     /// Scenes per batch.
     pub batch: u16,
-    /// The optimiser.
     pub optimiser: Optimiser,
-    /// Its highest learning rate.
+    /// Peak learning rate.
     pub learning_rate: f64,
-    /// Balls of each scene in a batch, sampled anew each time.
+    /// Balls per scene in a batch, resampled for each batch.
     pub balls_per_scene: u16,
 }
 

@@ -1,7 +1,7 @@
-//! Trains the success net, which says of every ball how likely it solves, and adds it to the weights of the four nets.
+//! Trains the success net, which predicts how likely each ball is to solve, and adds it to the four nets' weights.
 //!
-//! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
-//! seen no other tasks.
+//! It learns from labelled balls of the tasks that the four nets were trained on, so that none of the nets in the file
+//! has seen other tasks.
 
 use std::path::PathBuf;
 use std::slice;
@@ -21,9 +21,9 @@ use crate::progress::Progress;
 /// What to train.
 pub struct Settings {
     pub fold: FoldId,
-    /// Weights of the four nets; `None` are the shipped ones.
+    /// Weights of the four nets; `None` means the shipped ones.
     pub weights: Option<PathBuf>,
-    /// Balls with their outcome.
+    /// File of labelled balls.
     pub labels: PathBuf,
     /// Passes over the scenes.
     pub epochs: usize,
@@ -45,8 +45,8 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Trains, or continues with it. Returns the file of the weights of all five nets if the run is complete; a
-    /// dynamics net that the weights had is left out.
+    /// Starts or continues training. Returns the weights file of all five nets if the run is complete; it leaves out a
+    /// dynamics net of the weights.
     ///
     /// # Errors
     /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
@@ -79,12 +79,12 @@ impl Settings {
         if !complete {
             return Ok(None);
         }
-        // Agents would prefer a dynamics net.
+        // Agents would use a dynamics net instead.
         (nets.success, nets.dynamics) = (Some(run.trainer.nets()), None);
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 
-    /// A batch of the run, by its number.
+    /// Makes a batch of the run, by its number.
     fn batch(&self, scenes: &LabelledScenes, number: usize) -> SuccessBatch {
         let mut batch = SuccessBatch::default();
         let sampling = Sampling::Uniform(self.recipe.balls_per_scene);

@@ -1,4 +1,4 @@
-//! A training run in a folder: checkpoint, losses, weights; used by all that is trained.
+//! A training run in a folder: checkpoint, losses and weights. Used by all training commands.
 //!
 //! An interrupted run continues from its last checkpoint with the same result as an uninterrupted one. A folder whose
 //! run has other settings or data is refused.
@@ -29,32 +29,32 @@ const OPTIMISER: &str = "-checkpoint-optimiser.bpk";
 const CHECKPOINT: &str = "checkpoint.json";
 const LOCK: &str = "lock";
 
-/// A trainer, and the folder that its progress is saved in. `C` is the card of the weights.
+/// A trainer, and the folder in which its progress is saved. `C` is the card of the weights.
 pub struct TrainingRun<M, C = Card> {
     folder: PathBuf,
     pub trainer: Trainer<M>,
     checkpoint: Checkpoint<C>,
     started: Instant,
-    /// Time that earlier processes have spent on it, s.
+    /// Time spent by earlier processes, s.
     seconds_before: f64,
     _lock: File,
 }
 
-/// What `checkpoint.json` holds; the nets and the state of the optimiser have files of their own.
+/// The content of `checkpoint.json`; the nets and the state of the optimiser are in separate files.
 #[derive(Serialize, Deserialize)]
 pub struct Checkpoint<C = Card> {
     pub card: C,
     /// SHA-256 of each file of training data, separated by spaces.
     pub data: String,
-    /// SHA-256 of the weights that the nets are added to, if they are added to any.
+    /// SHA-256 of the weights that the nets are added to, if any.
     pub added_to: Option<String>,
-    /// Batches trained on.
+    /// Number of batches trained so far.
     pub done: usize,
     /// Wall-clock time of training so far, s.
     pub seconds: f64,
     /// Names of the losses.
     pub losses: Vec<String>,
-    /// For each checkpoint the epoch, the batches so far, and the mean losses of the batches since the one before.
+    /// For each checkpoint, the epoch, the batches so far, and the mean losses since the checkpoint before.
     pub log: Vec<(usize, usize, Vec<f32>)>,
 }
 
@@ -62,21 +62,21 @@ pub struct Checkpoint<C = Card> {
 pub struct Inputs {
     /// SHA-256 of each file of training data, separated by spaces.
     pub data: String,
-    /// SHA-256 of the weights that the nets are added to, if they are added to any.
+    /// SHA-256 of the weights that the nets are added to, if any.
     pub added_to: Option<String>,
 }
 
 impl Inputs {
-    /// Reads the inputs of nets that learn from these files.
+    /// Hashes the training data.
     ///
     /// # Errors
-    /// If one cannot be read.
+    /// If a file cannot be read.
     pub fn of(data: &[PathBuf]) -> anyhow::Result<Inputs> {
         let digests = data.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;
         Ok(Inputs { data: digests.join(" "), added_to: None })
     }
 
-    /// Also names the weights that the nets are added to.
+    /// Adds the hash of the weights that the nets are added to.
     ///
     /// # Errors
     /// If the file cannot be read.
@@ -93,9 +93,8 @@ pub struct Plan {
 }
 
 impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
-    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. While another process trains there,
-    /// this one waits. `inputs` are the digests of
-    /// the files that the run reads, `losses` the names of the losses of a step.
+    /// Opens the run in a folder: continues from its checkpoint, or starts with `trainer`. While another process trains
+    /// there, this one waits. `losses` are the names of the losses of a step.
     ///
     /// # Errors
     /// If the folder holds another run, or cannot be written.
@@ -133,9 +132,9 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
         Ok(TrainingRun { folder, trainer, checkpoint, started: Instant::now(), seconds_before, _lock: lock })
     }
 
-    /// Trains to the end of the plan, or to the stop that the settings ask for, and saves checkpoints. `batch`
-    /// makes a batch from its number in the run, on another thread while the one before is trained on; `step` takes
-    /// an optimiser step on a batch at a learning rate, and returns the losses. Returns whether the run is complete.
+    /// Trains to the end of the plan or to `settings.stop_after`, and saves checkpoints. `batch` makes a batch from its
+    /// number in the run, on another thread while the previous one is trained on. `step` takes an optimiser step on a
+    /// batch at a learning rate, and returns the losses. Returns whether the run is complete.
     ///
     /// # Errors
     /// If a loss is not finite, or the folder cannot be written.
@@ -166,7 +165,7 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
             });
             for (number, batch) in (first..).zip(batches) {
                 let (trainer, rate) = (&mut self.trainer, plan.schedule.learning_rate(number, total));
-                // In rayon's pool: a step from outside would wait for another thread at every layer.
+                // Run in rayon's pool: a step from outside would wait for another thread at every layer.
                 let losses = rayon::scope(|_| step(trainer, batch, rate));
                 let done = number + 1;
                 summed += 1;
@@ -190,13 +189,13 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
         let done = self.checkpoint.done;
         progress.finish(&match done == total {
             true => format!("{total} batches"),
-            false => format!("stopped at batch {done} of {total}, as asked,"),
+            false => format!("stopped at batch {done} of {total}, as requested,"),
         });
         Ok(done == total)
     }
 
     /// Saves a checkpoint after `done` batches. `checkpoint.json` is written last and names the other files, so that a
-    /// run interrupted in between continues from the checkpoint before.
+    /// run interrupted in between continues from the previous checkpoint.
     fn save(&mut self, epoch: usize, done: usize, losses: &[f32]) -> anyhow::Result<()> {
         let name = self.folder.display().to_string();
         ensure!(
@@ -230,7 +229,7 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
         Ok(())
     }
 
-    /// Writes the weights of a complete run, which `save` makes of its card; returns their file.
+    /// Writes the weights of a complete run, which `save` makes from its card. Returns their file.
     ///
     /// # Errors
     /// If they cannot be saved, or the folder cannot be written.
@@ -246,7 +245,7 @@ fn files(folder: &Path, done: usize) -> [PathBuf; 2] {
     [NETS, OPTIMISER].map(|suffix| folder.join(format!("{done}{suffix}")))
 }
 
-/// Is it a file that `files` names? Other files in the folder are left alone.
+/// Whether `files` could have named a file. Other files in the folder are left alone.
 fn is_checkpoint(file: &Path) -> bool {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let number = [NETS, OPTIMISER].iter().find_map(|suffix| name.strip_suffix(suffix));
@@ -256,7 +255,7 @@ fn is_checkpoint(file: &Path) -> bool {
 /// Reads the `checkpoint.json` of a folder, if there is one.
 ///
 /// # Errors
-/// If it cannot be read.
+/// If the file cannot be read.
 fn read_checkpoint<C: DeserializeOwned>(folder: &Path) -> anyhow::Result<Option<Checkpoint<C>>> {
     let path = folder.join(CHECKPOINT);
     match fs::read(&path) {

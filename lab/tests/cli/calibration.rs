@@ -1,4 +1,4 @@
-//! `pathlight-lab measure calibration` and `publish results`: what the page shows of the shipped models.
+//! `pathlight-lab measure calibration` and `publish results`: the measurements of the shipped models on the page.
 
 use std::fs;
 use std::path::Path;
@@ -90,11 +90,11 @@ fn what_cannot_be_measured_or_found_is_refused() {
         assert_refused(&publish, words);
         fs::write(&file, kept).expect("a file");
     };
-    let calibration = "within-0-calibration.json is not of all test tasks of its fold, or of another version";
+    let calibration = "within-0-calibration.json does not cover all test tasks of its fold, or is of another version";
     refused("within-0-calibration.json", |one| one["agents_version"] = 2.into(), calibration);
     refused("within-0-calibration.json", |one| one["tasks"] = 25.into(), calibration);
     refused("within-0-calibration.json", |one| one["card"]["seed"] = 9.into(), "does not belong to the weights");
-    let evaluation = "cross-0.json is not of all test tasks of its fold, or of another version";
+    let evaluation = "cross-0.json does not cover all test tasks of its fold, or is of another version";
     refused("cross-0.json", |one| one["engine"] = "rapier".into(), evaluation);
     refused("cross-0.json", |one| one["agents"][0]["first_solved"] = Vec::<Value>::new().into(), evaluation);
     assert_refused(&["measure", "calibration", "--json", &path], "cannot write ");

@@ -11,7 +11,7 @@ use tempfile::tempdir;
 
 use super::{assert_refused, output_of, pathlight_lab};
 
-/// A small search on this many cores; returns the text of the file.
+/// Runs a small search on this many cores; returns the text of the file.
 fn collect(out: &Path, cores: &str, more: &[&str]) -> String {
     let few = ["--template", "2", "--limit", "20", "--per-task", "2"];
     let mut command = pathlight_lab();
@@ -46,7 +46,7 @@ fn the_file_depends_only_on_the_seed_and_every_ball_in_it_solves() {
     assert_eq!(one, collect(&cut, "2", &[]), "interrupted and continued");
 }
 
-/// As editors and PowerShell save it.
+/// Editors and PowerShell save files in these encodings.
 #[test]
 fn a_byte_order_mark_is_skipped_and_utf16_is_named() {
     let folder = tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! `pathlight-lab figures`: what the files show is what was measured, and each says it in words too.
+//! `pathlight-lab figures`: the files show what was measured, and each describes it in words too.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,7 +18,7 @@ fn shipped() -> [Report; 2] {
     ["within", "cross"].map(|setup| Report::read(&root(&format!("results/shipped/{setup}-0.json")), "").expect("ours"))
 }
 
-/// The words of the elements of a kind that have this class, in their order; of all of the kind without a class.
+/// Returns the text of all elements of a kind, in order; with a class, only of those that have it.
 fn words(picture: &str, kind: &str, class: Option<&str>) -> Vec<String> {
     let (mut inside, mut found) = (false, Vec::new());
     for event in svg::read(picture).expect("SVG") {
@@ -67,7 +67,7 @@ fn figures_hold_what_was_measured_and_say_it_in_words() {
     }
 }
 
-/// Each curve's label is its auccess, which is the area under the curve that is drawn.
+/// Checks that each curve is labelled with its auccess, which is the area under the drawn curve.
 fn check_curves((picture, described): &(String, String)) {
     let labels = words(picture, "text", None);
     let curves: Vec<(String, f64)> = svg::read(picture)
@@ -88,7 +88,7 @@ fn check_curves((picture, described): &(String, String)) {
     }
 }
 
-/// The share of the plot that lies below a curve: 330 px wide, 230 px high, its bottom at 268 px.
+/// Returns the share of the plot below a curve. The plot is 330 px wide and 230 px high, with its bottom at 268 px.
 fn area(data: &str) -> f64 {
     let (mut x, mut y, mut area) = (0.0, 0.0, 0.0);
     for command in Data::parse(data).expect("a path").iter() {
@@ -106,7 +106,7 @@ fn area(data: &str) -> f64 {
     area / (330.0 * 230.0)
 }
 
-/// The tasks are those of the rule.
+/// Checks that the tasks are those that the rules choose.
 fn check_strips((picture, described): &(String, String)) {
     for report in shipped() {
         let (setup, firsts) = (report.setup, &report.agents[0].first_solved);

@@ -1,4 +1,4 @@
-//! `pathlight-lab measure forecasts`: what the dynamics net imagines beside what happens.
+//! `pathlight-lab measure forecasts`: imagined paths and outcomes compared with simulated ones.
 
 use tempfile::tempdir;
 

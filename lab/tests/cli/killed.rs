@@ -1,5 +1,5 @@
-//! Commands that are killed at random moments, or whose disk is full: nothing is lost but the work since the last line
-//! or checkpoint, and what they end with is the same as without it.
+//! Commands that are killed at random moments, or whose disk is full: they lose only the work since the last line or
+//! checkpoint, and end with the same result as without interruption.
 //!
 //! PATHLIGHT_KILLS sets how often each is killed.
 
@@ -21,15 +21,15 @@ use super::{assert_refused, output_of, pathlight_lab};
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 
-/// Runs a command to its end in one folder, and in another after it was killed again and again; `%` in its words stands
-/// for the folder. Asserts that these files are equal.
+/// Runs a command to its end in one folder, and kills and restarts it repeatedly in another; `%` in its words stands
+/// for the folder. Asserts that the result files are equal.
 fn assert_survives(words: &[&str], results: &[&str]) {
     assert_same_when_killed(words, |folder| {
         results.iter().map(|file| fs::read(folder.join(file)).expect("a result")).collect()
     });
 }
 
-/// As `assert_survives`, with what is read of a folder.
+/// Like `assert_survives`, but compares what `read` returns for each folder.
 fn assert_same_when_killed(words: &[&str], read: impl Fn(&Path) -> Vec<Vec<u8>>) {
     let kills: usize = env::var("PATHLIGHT_KILLS").map_or(3, |text| text.parse().expect("a number"));
     let (whole, killed) = (tempdir().expect("a folder"), tempdir().expect("a folder"));
@@ -56,7 +56,7 @@ fn assert_same_when_killed(words: &[&str], read: impl Fn(&Path) -> Vec<Vec<u8>>)
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(!said.contains("error") && !said.contains("panicked"), "{words:?}: {said}");
         if output.status.success() {
-            // Begun anew, so that all moments are met.
+            // Start over, so that kills hit all moments.
             ended += 1;
             for entry in fs::read_dir(killed.path()).expect("a folder") {
                 let path = entry.expect("an entry").path();
@@ -80,7 +80,7 @@ fn label_continues_after_any_kill() {
     assert_survives(&[&["data", "label", "--out", "%/labels.jsonl"], &few[..]].concat(), &["labels.jsonl"]);
 }
 
-/// A few solutions and labelled balls in a folder: their files.
+/// Makes a few solutions and labelled balls in a folder; returns their files.
 fn data(folder: &Path) -> [String; 2] {
     let solutions = folder.join("solutions.jsonl").display().to_string();
     output_of(&["data", "collect", "--template", "2", "--limit", "8", "--per-task", "2", "--out", &solutions]);
@@ -108,7 +108,7 @@ fn reproduce_continues_after_any_kill() {
     let recipes = small_recipes(folder.path());
     let fold = ["reproduce", "--recipe", "small", "--setup", "cross", "--fold", "0", "--recipes", &recipes];
     assert_same_when_killed(&[&fold[..], &["--results", "%/results", "--runs", "%/runs"]].concat(), |folder| {
-        // A result also holds how long it took.
+        // Results also record how long they took, so they are not compared byte by byte.
         let weights = fs::read(folder.join("runs/dqn/cross-0/weights.safetensors")).expect("weights");
         let result = Report::read(&folder.join("results/small/cross-0.json"), "").expect("a result");
         vec![weights, result.table().expect("a table").into_bytes()]
@@ -145,7 +145,7 @@ fn a_full_disk_is_said_and_loses_nothing() {
             &["train", "paths", "--solutions", &few_solutions, "--checkpoint", "1", "--out", &run],
             "cannot write",
         );
-        // With room again it goes on with the lines that it has.
+        // With free space again, the command continues after the lines already written.
         fs::remove_file(&solutions).expect("removed");
         assert!(mount("remount,size=4m"));
         output_of(&words);
@@ -162,7 +162,7 @@ fn a_full_disk_is_said_and_loses_nothing() {
 #[test]
 fn a_folder_that_cannot_be_written_is_said() {
     let folder = tempdir().expect("a folder");
-    // A file where a folder is expected: root may write into any folder.
+    // Use a file where a folder is expected, because root may write into any folder.
     let file = folder.path().join("file").display().to_string();
     fs::write(&file, "of somebody").expect("written");
     let inside = format!("{file}/inside");

@@ -1,5 +1,5 @@
-//! `pathlight-lab data label`: true outcomes, the same file whether interrupted or not, and no use of test tasks if
-//! asked.
+//! `pathlight-lab data label`: true outcomes, the same file whether interrupted or not, and no use of test tasks on
+//! request.
 
 use std::fs;
 use std::path::Path;
@@ -27,8 +27,8 @@ pub fn label(folder: &Path, rounds: &str) -> String {
     out
 }
 
-/// The number of balls in a file of labels that nets may learn from who know only these tasks: those in the tasks that
-/// were not sampled around solutions of others.
+/// Counts the balls in a file of labels that a net trained on these tasks alone may learn from: those in the tasks that
+/// were not sampled around solutions of other tasks.
 pub fn usable_balls(labels: &str, tasks: &[TaskId]) -> usize {
     let text = fs::read_to_string(labels).expect("labels");
     let lines = text.lines().skip(1).map(|line| serde_json::from_str::<LabelledBalls>(line).expect("a line of labels"));
@@ -123,7 +123,7 @@ fn labels_of_unlisted_tasks_are_true_and_say_around_whose_solutions_they_lie() {
         assert!(solved.iter().all(solves) && !failed.iter().any(solves));
         assert!(siblings.iter().any(Option::is_some) && siblings.iter().any(Option::is_none));
     }
-    // The balls that a net finds most probable there are others, and were sampled around nothing.
+    // A net proposes other balls there, which were sampled around no solution.
     let proposed = folder.path().join("proposed.jsonl").display().to_string();
     let words = ["data", "label", "--unlisted", "3", "--template", "2", "--rounds", "1", "--out", &proposed];
     let of_net = ["--setup", "within", "--fold", "0", "--weights", "assets/within-0.safetensors"];
@@ -210,7 +210,7 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
     refused(&write("fold", &[&of_fold, line.trim_end()]), "holds balls of the training tasks of cross 1");
 }
 
-/// Balls of two tasks.
+/// Labels balls of two tasks; returns the file.
 fn label_file(folder: &Path) -> String {
     let out = folder.join("two").display().to_string();
     output_of(&["data", "label", "--template", "2", "--limit", "2", "--rounds", "1", "--out", &out]);

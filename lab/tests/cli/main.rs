@@ -1,6 +1,7 @@
 //! The command line of the lab as its users run it: the real binary, its output, its exit codes.
 //!
-//! One module per command, or per behaviour of several. This file runs the binary, in the root of the repository.
+//! One module per command, or per behaviour of several commands. This file runs the binary in the root of the
+//! repository.
 
 use std::fs;
 use std::path::{Path, PathBuf};

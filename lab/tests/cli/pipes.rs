@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 use super::pathlight_lab;
 
-/// Runs a command whose standard output nobody reads, and with `both` whose standard error nobody reads either.
+/// Runs a command whose standard output nobody reads; with `both`, nobody reads its standard error either.
 fn run_unread(args: &[&str], both: bool) -> Output {
     let unread = || {
         let (reader, writer) = std::io::pipe().expect("a pipe");

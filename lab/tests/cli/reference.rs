@@ -1,4 +1,4 @@
-//! `pathlight-lab measure fidelity`, with reference data of a few lines made on the spot, and `data difficulty`.
+//! `pathlight-lab measure fidelity`, on a few lines of reference data made by the test, and `data difficulty`.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use tempfile::tempdir;
 
 use super::{assert_refused, output_of, root};
 
-/// A reference folder with an outcome per kind of ball, all of this simulator.
+/// Makes a reference folder with one outcome per kind of ball, all of this simulator.
 fn reference(folder: &Path) -> String {
     let task = Task::load(ids(TEMPLATES[0]).next().expect("a task")).expect("a task");
     // A grid of balls has some that solve and some that do not.
@@ -49,7 +49,7 @@ fn agreement_is_counted() {
     // Same bits, same outcome, of how many: stable, unstable, random that fail, random that solve.
     assert_eq!(row("all ").join(" "), "100.00 100.00 (1) 100.00 0.00 (1) 100.00 100.00 (1) - - (0)");
 
-    // The other engine stands beside the first.
+    // The other engine is compared with the first.
     let both =
         output_of(&["measure", "fidelity", "--engine", "rapier", "--reference", &folder.path().display().to_string()]);
     let (first, other) = both.split_once("Engine rapier").expect("a heading");
@@ -61,7 +61,7 @@ fn agreement_is_counted() {
         &["measure", "fidelity", "--reference", &folder.path().display().to_string()],
         "outcomes.jsonl, line 1",
     );
-    assert_refused(&["measure", "fidelity", "--reference", "no/such/folder"], "--reference names the folder");
+    assert_refused(&["measure", "fidelity", "--reference", "no/such/folder"], "name its folder with --reference");
 }
 
 #[test]

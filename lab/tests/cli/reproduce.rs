@@ -54,7 +54,7 @@ fn recipes_make_results_and_the_table_reads_them() {
     };
     let file = |path: &str| folder.path().join(path);
     let (_, said) = reproduce(&["--only", "results", "--setup", "within", "--fold", "3"]);
-    // What it says it does is what it does: run again, these commands find their own runs complete.
+    // The printed commands are the ones it ran: run again, they find their own runs complete.
     let commands: Vec<&str> = said.lines().filter_map(|line| line.strip_prefix("$ pathlight-lab ")).collect();
     assert_eq!(commands.len(), 4 + 4, "{said}");
     let weights = digest(&file("runs/dqn/within-3/weights.safetensors")).expect("weights");
@@ -80,7 +80,7 @@ fn recipes_make_results_and_the_table_reads_them() {
     assert_eq!(alone, chance, "the random agent without a memory");
     assert!(row("| **random, which").contains(&format!(" {shuffled:.1} (1 of 10")) && by_ids > 0.0, "{table}");
 
-    // Results of other versions, tasks or recipes do not belong in one row.
+    // Results of other versions, tasks or recipes do not belong in the same row.
     let text = fs::read_to_string(&made).expect("a result");
     let stray = file("results/small/within-4.json");
     fs::write(&stray, &text).expect("written");
@@ -91,7 +91,7 @@ fn recipes_make_results_and_the_table_reads_them() {
         (other["fold"], other["limit"], other[key]) = (4.into(), 1.into(), value);
         fs::write(&stray, other.to_string()).expect("written");
         if key != "limit" {
-            assert_refused(&report_alone, "within-4.json was made in another way than within-3.json beside it");
+            assert_refused(&report_alone, "within-4.json was made differently from within-3.json (steps");
         }
     }
     let (_, said) = reproduce(&["--only", "results", "--recipe", "small", "--setup", "within", "--fold", "4"]);
@@ -107,7 +107,10 @@ fn recipes_make_results_and_the_table_reads_them() {
     );
     fs::write(file("wrong.toml"), SMALL.replace("after = \"small\"", "after = \"large\"")).expect("written");
     let wrong = file("wrong.toml").display().to_string();
-    assert_refused(&["reproduce", "--recipes", &wrong], "the recipe remembering comes after one that is not above it");
+    assert_refused(
+        &["reproduce", "--recipes", &wrong],
+        "the recipe remembering must come below the one in its `after`",
+    );
     fs::write(file("wrong.toml"), SMALL.replace("train dqn", "train everything")).expect("written");
     let others = ["--results", &format!("{results}-others"), "--runs", &runs, "--recipe", "small", "--fold", "1"];
     assert_refused(&[&["reproduce", "--recipes", &wrong][..], &others].concat(), "the recipe small cannot be followed");

@@ -72,7 +72,7 @@ fn a_part_of_the_solutions_is_refused() {
     fs::write(&file, format!("{part}\n")).expect("a file");
     assert_refused(
         &["train", "paths", "--solutions", &file],
-        "is not complete (tasks left: 1): let `pathlight-lab data collect` finish it",
+        "is not complete (tasks left: 1): finish it with `pathlight-lab data collect`",
     );
 }
 

@@ -1,4 +1,4 @@
-//! `pathlight-lab train dqn`: the benchmark's baseline, which has weights of its own.
+//! `pathlight-lab train dqn`: the benchmark's baseline, with separate weights.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! `pathlight-lab train dynamics`: the net that learns from labelled balls what a ball leads to.
+//! `pathlight-lab train dynamics`: the net that learns from labelled balls to imagine paths and outcomes.
 
 use std::fs;
 
@@ -71,7 +71,7 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     assert_ne!(fs::read(train("solving", &weighted[2..])).expect("weights"), bytes, "some balls solve, others do not");
     for refused in ["0", "-1", "inf", "nan", "much"] {
         let option = format!("--solving-path-weight={refused}");
-        assert_refused(&["train", "dynamics", "--labels", &labels, &option], "it has to be a number above 0");
+        assert_refused(&["train", "dynamics", "--labels", &labels, &option], "give a number above 0");
     }
 
     let from = whole.display().to_string();
@@ -122,7 +122,7 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     assert_refused(&cross, "holds balls of the training tasks of within 0 only");
 }
 
-/// How many of the unlisted tasks in a file some ball solves, of those that a net may learn from.
+/// Counts the unlisted tasks in a file that some ball solves from which a net may learn.
 fn solvable_unlisted_tasks(path: &str, training: &[TaskId]) -> usize {
     let may_learn = |sibling: Option<&TaskId>| sibling.is_none_or(|task| training.contains(task));
     let lines = read_labels(path.as_ref()).expect("labels").lines;
@@ -195,7 +195,7 @@ fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
         })
     };
     let (of_dev, honest) = (with_card("of-dev", false), with_card("honest", true));
-    // Without the option too, because the four nets have not seen dev tasks.
+    // Refused without --without-dev too, because the four nets have not seen dev tasks.
     refused(&["--weights", &four, "--from", &of_dev], "was trained on dev tasks");
 
     let proposed = |weights: &str, out: &str| {
@@ -206,7 +206,7 @@ fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
     proposed(&of_dev, &file("proposed-of-dev"));
     refused(
         &["--weights", &four, "--labels", &file("proposed-of-dev")],
-        "does not say that the net that proposed its balls has not learned from the fold's dev tasks",
+        "holds balls proposed by a net that may have learned from the fold's dev tasks",
     );
     proposed(&honest, &file("without-dev"));
     let allowed = train(&["--weights", &four, "--from", &honest, "--labels", &file("without-dev")]);

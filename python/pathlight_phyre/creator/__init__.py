@@ -1,4 +1,4 @@
-"""PHYRE's constants of a scene. Tasks cannot be created here."""
+"""PHYRE's scene constants. This package cannot create tasks."""
 
 from pathlight_phyre.creator.constants import SCENE_HEIGHT, SCENE_WIDTH
 

@@ -1,4 +1,4 @@
-// "Check the answer": all solutions of one radius over the scene, and the search for an easy one.
+// "Check the answer": all solutions of one radius over the scene, and the search for an easy solution.
 
 import { answered } from "./model.ts";
 import { FIRST_RADIUS, place } from "./placement.ts";
@@ -8,7 +8,7 @@ import type { State } from "../state.ts";
 
 export interface Check {
   readonly radius: number;
-  /** An easy ball is looked for, to be placed. */
+  /** Whether an easy ball is being searched for, to be placed. */
   readonly seeking: boolean;
 }
 
@@ -22,13 +22,13 @@ export function setCheckRadius(state: State, radius: number): State {
   return { ...state, check: { seeking: false, ...state.check, radius: within } };
 }
 
-/** Looks for an easy ball, or stops. */
+/** Starts or stops the search for an easy ball. */
 export function toggleSeeking(state: State): State {
   const { check } = state;
   return check ? { ...state, check: { ...check, seeking: !check.seeking } } : state;
 }
 
-/** Places the easiest ball once all have been tried. */
+/** Places the easiest ball once the search has ended. */
 export function sought(state: State, key: string, found: FoundSolutions): State {
   if (key !== state.puzzle.key || !state.check?.seeking) return state;
   const known = answered(state, key, { found });

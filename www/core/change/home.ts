@@ -1,5 +1,5 @@
-// The home page: what has been recorded for it, and the show in its scene. Futures fan out, the model picks one, and
-// its ball falls. The show ends as soon as the person places a ball: from then on it is their puzzle.
+// The home page: its recording, and the show in its scene. Futures fan out, the model picks one, and its ball falls.
+// The show ends as soon as the person places a ball; from then on it is their puzzle.
 
 import { introShown, isHome } from "../derived/home.ts";
 import { advance, play } from "./run.ts";
@@ -8,38 +8,38 @@ import type { Route } from "./route.ts";
 import type { Puzzle } from "../puzzle.ts";
 import type { State } from "../state.ts";
 
-/** assets/home.json, as scripts/record-home.mjs writes it: what is shown before any weights are there. */
+/** assets/home.json, written by scripts/record-home.mjs: shown until the weights are loaded. */
 export interface Recorded {
   readonly scene: { readonly task: string } & Futures;
-  /** The path that the model imagines for the green object of a puzzle, by task: one of each kind. x, y, x, y, … px. */
+  /** The imagined path of the green object by task, for one task of each kind: x, y, x, y, … px. */
   readonly paths: Readonly<Record<string, readonly number[]>>;
-  /** By model, puzzles that it does not solve in a hundred attempts, the easiest first. */
+  /** For each model, puzzles that it does not solve in a hundred attempts, the easiest first. */
   readonly unsolved: Readonly<Record<string, readonly string[]>>;
 }
 
-/** What the model imagines of a puzzle before it drops its first ball. */
+/** What the model imagines for a puzzle before it drops its first ball. */
 export interface Futures {
   /** Imagined paths of the green object, the likeliest first. */
   readonly futures: readonly { readonly probability: number; readonly path: ArrayLike<number> }[];
-  /** The ball that it picks. */
+  /** The ball that the model picks. */
   readonly ball: Ball;
   readonly imagined: Readonly<Record<"object" | "ball" | "errors", ArrayLike<number>>> &
     Pick<ImaginedBall, "probability">;
 }
 
 export interface Intro {
-  /** Since its beginning, ms. The fall has the time of its run. */
+  /** Time since the start of the show, ms. The fall takes its time from the run. */
   readonly time: number;
   readonly playing: boolean;
-  /** How often it has been shown to its end. */
+  /** How often the show has been played to its end. */
   readonly rounds: number;
 }
 
-/** How long the futures fan out, one is picked, and the end is looked at, ms. */
+/** Durations of fanning out, picking a future, and showing the end, ms. */
 export const IMAGINE = 2600;
 export const PICK = 1800;
 const RESULT = 4000;
-/** A page that is left open should not keep a computer busy. */
+/** Maximum number of rounds: an idle page should not keep a computer busy. */
 const MOST_ROUNDS = 3;
 
 const BEGIN: Intro = { time: 0, playing: true, rounds: 0 };
@@ -52,7 +52,7 @@ export function setRecorded(state: State, recorded: Recorded): State {
   return { ...state, recorded };
 }
 
-/** The show gives way to the person. */
+/** Ends the show when the person takes over. */
 export function endIntro(state: State): State {
   return { ...state, intro: null, run: null };
 }
@@ -67,7 +67,7 @@ export function toggleIntro(state: State): State {
   return { ...state, run, intro: { ...intro, playing } };
 }
 
-/** Time passes: for what runs, and for the show. */
+/** Advances time for the run and the show. */
 export function tick(state: State, milliseconds: number): State {
   return advanceIntro(advance(state, milliseconds), milliseconds);
 }
@@ -90,7 +90,7 @@ function fall(state: State): State {
   return play(state, [{ ball: state.answers.futures!.ball, of_model: true }], null, false);
 }
 
-/** Whether a next frame is needed for time to pass. */
+/** Whether time must advance in another frame. */
 export function moves(state: State): boolean {
   if (state.run?.playing) return true;
   return isHome(state) && state.intro?.playing === true && introShown(state) && state.answers.futures !== null;

@@ -1,4 +1,4 @@
-// What the browser keeps, as one document: attempts by puzzle, and what the person has chosen.
+// The document that the browser keeps: attempts by puzzle, and the person's choices.
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import type { AttemptLine, CustomScene, Setup } from "../../pkg/page/pathlight.js";
@@ -11,15 +11,15 @@ export interface Kept extends Choices {
   readonly version: 1;
   /** The player's attempts by the key of their puzzle, in order. */
   readonly attempts: Attempts;
-  /** When all before was forgotten last, ms since 1970: it does not come back from another tab. */
+  /** When everything was last forgotten, ms since 1970: older attempts do not come back from another tab. */
   readonly forgotten: number;
-  /** The custom puzzles by their key. */
+  /** Custom puzzles by their key. */
   readonly puzzles: Readonly<Record<string, KeptPuzzle>>;
 }
 
-/** A custom puzzle; of two versions the later counts. */
+/** A custom puzzle. Of two versions, the later one counts. */
 export interface KeptPuzzle {
-  /** Null: deleted. */
+  /** Null if deleted. */
   readonly scene: CustomScene | null;
   /** When it was kept or deleted, ms since 1970. */
   readonly changed: number;
@@ -34,9 +34,9 @@ export interface Choices {
   readonly alone: boolean;
   /** Which model plays. */
   readonly model: Setup;
-  /** Show what the model imagines of the scene while it is changed. */
+  /** Show the model's maps of the scene while it is being changed. */
   readonly live: boolean;
-  /** Null: as the device has it. */
+  /** Null to follow the device. */
   readonly language: Language | null;
   readonly theme: Theme | null;
 }
@@ -68,12 +68,12 @@ export function keepPuzzles(
   return { ...state, kept: { ...state.kept, puzzles: { ...state.kept.puzzles, ...Object.fromEntries(entries) } } };
 }
 
-/** Another tab has kept something. */
+/** Merges what another tab has kept. */
 export function mergeKept(state: State, theirs: Kept): State {
   return withKept(state, merged(theirs, state.kept));
 }
 
-/** Attempts of a file join those that are here. */
+/** Adds the attempts of a file to those kept. */
 export function openAttempts(state: State, attempts: Attempts): State {
   return withKept(state, merged(state.kept, { ...state.kept, attempts }));
 }
@@ -82,13 +82,13 @@ export function attemptCount(attempts: Attempts): number {
   return Object.values(attempts).reduce((sum, lines) => sum + lines.length, 0);
 }
 
-/** The round that is shown may have another number then. */
+/** Replaces what is kept, and ends the run if the attempts changed: its round may have another number. */
 function withKept(state: State, kept: Kept): State {
   const moved = kept.attempts[state.puzzle.key]?.length !== state.kept.attempts[state.puzzle.key]?.length;
   return { ...state, kept, run: moved ? null : state.run };
 }
 
-/** The first history, then what only the second knows; choices are those of the first. What was forgotten stays so. */
+/** Merges two documents: histories, first before second; choices of the first. Forgotten attempts stay forgotten. */
 export function merged(one: Kept, other: Kept): Kept {
   const puzzles = { ...one.puzzles };
   for (const [key, puzzle] of Object.entries(other.puzzles))
@@ -102,10 +102,10 @@ export function merged(one: Kept, other: Kept): Kept {
   return { ...one, attempts, puzzles };
 }
 
-/** No attempt is lost, but beyond the limit; then those that solved come before others. */
+/** Keeps all attempts up to the limit. Beyond it, attempts that solved come first. */
 function mergedLines(one: readonly AttemptLine[], other: readonly AttemptLine[]): readonly AttemptLine[] {
   const balls = new Set<string>();
-  // The first of each ball: a file may have it twice.
+  // Keep the first attempt with each ball: a file may have it twice.
   const all = [...one, ...other].filter(({ ball }) => balls.size < balls.add(String(ball)).size);
   if (all.length <= ATTEMPT_LIMIT) return all;
   let spare = all.length - ATTEMPT_LIMIT;

@@ -1,6 +1,5 @@
-// Making a puzzle: the scene as it is being changed, with undo and redo. A scene that may be played becomes the puzzle
-// once a gesture has ended (effects/making.ts). Until something is changed there is nothing here, and the puzzle is
-// what is made.
+// Making a puzzle: the scene as it is being changed, with undo and redo. A playable scene becomes the puzzle once a
+// gesture has ended (effects/making.ts). Until something is changed this state is null, and the puzzle itself is shown.
 
 import {
   SIZES,
@@ -27,36 +26,36 @@ export interface Making {
   readonly scene: CustomScene;
   /** The index of the selected body. */
   readonly selected: number | null;
-  /** What undo goes back to, the latest last. */
+  /** States that undo returns to, the latest last. */
   readonly past: readonly CustomScene[];
-  /** What redo goes forward to, the next last. */
+  /** States that redo returns to, the next one last. */
   readonly future: readonly CustomScene[];
-  /** What changed the scene last. Changes of one gesture are undone together. */
+  /** The gesture that changed the scene last. Changes of one gesture are undone together. */
   readonly gesture: string | null;
   readonly drag: BodyDrag | null;
 }
 
-/** A body held by a pointer: by itself, or by one of its knobs. */
+/** A body held by a pointer, directly or by one of its knobs. */
 export interface BodyDrag {
   readonly pointer: number;
   readonly grip: "move" | "size" | "turn";
-  /** From the pointer to the body's origin, px; for `turn` the first is from its direction to the angle, degrees. */
+  /** Offset to the body's origin, px; for `turn`, first is from the pointer's direction to the angle, degrees. */
   readonly offset: Point;
-  /** The state before, to which a pointer that the browser takes away goes back. */
+  /** The state to restore if the browser takes the pointer away. */
   readonly before: Pick<State, "make" | "run">;
 }
 
 const MOST_UNDONE = 200;
-/** What is dragged is rounded to these; it keeps links short, and bodies straight. */
+/** Dragged values are rounded to these, which keeps links short and bodies straight. */
 const PX = 1;
 const DEGREES = 5;
-/** How far a copy lies from its original at least, px. */
+/** Minimum distance of a copy from its original, px. */
 const COPY_OFFSET = 16;
-/** Where a new body is tried, from where it is wanted, px: nearest first. */
+/** Offsets at which a new body is tried, px: nearest first. */
 const PLACES = [0, 24, -24, 48, -48, 72, -72, 96, -96]
   .flatMap((dy, _, all) => all.map((dx) => [dx, dy] as const))
   .sort((one, other) => Math.hypot(...one) - Math.hypot(...other));
-/** Where a new body is wanted. */
+/** Preferred position of a new body. */
 const NEW_PLACE = { x: SCENE_SIZE / 2, y: 180, angle: 0 };
 const NEW_BODIES: Record<Shape, CustomBody> = {
   ball: { shape: "ball", radius: 12, ...NEW_PLACE, dynamic: true },
@@ -64,7 +63,7 @@ const NEW_BODIES: Record<Shape, CustomBody> = {
   jar: { shape: "jar", height: 48, ...NEW_PLACE, dynamic: true },
   standing_sticks: { shape: "standing_sticks", length: 48, ...NEW_PLACE, dynamic: true },
 };
-/** As little as can be solved: a ball on a shelf, and the floor as its goal. */
+/** A minimal solvable scene: a ball on a shelf, and the floor as its goal. */
 const EMPTY: CustomScene = {
   version: 1,
   body1: 0,
@@ -76,7 +75,7 @@ const EMPTY: CustomScene = {
   ],
 };
 
-/** What is being made: the scene of the puzzle, until something is changed. */
+/** Returns the scene being made: that of the puzzle, until something is changed. */
 export function making({ make, puzzle }: State): Making {
   return make ?? { scene: puzzle.custom, selected: null, past: [], future: [], gesture: null, drag: null };
 }
@@ -86,12 +85,12 @@ export function selectedBody(state: State): CustomBody | null {
   return selected === null ? null : scene.bodies[selected]!;
 }
 
-/** Is the scene that is made the open puzzle? */
+/** Whether the scene being made is the open puzzle. */
 export function isSettled({ make, puzzle }: State): boolean {
   return make === null || make.scene === puzzle.custom;
 }
 
-/** The scene that is made has been opened: it is the puzzle now, with its own attempts; the ball stays. */
+/** Records that the scene being made has been opened: it is now the puzzle, with its own attempts. The ball stays. */
 export function remade(state: State, puzzle: Puzzle, link: string): State {
   if (!state.make) return state;
   return {
@@ -99,7 +98,7 @@ export function remade(state: State, puzzle: Puzzle, link: string): State {
     puzzle,
     route: { ...state.route, task: null, scene: link },
     make: { ...state.make, scene: puzzle.custom },
-    // Of the scene before, which was a moment ago.
+    // The maps of the previous scene stay until new ones arrive.
     answers: { ...NO_ANSWERS, maps: state.answers.maps },
     check: state.check && { ...state.check, seeking: false },
   };
@@ -124,7 +123,7 @@ export function turnTo(state: State, degrees: number, gesture: string | null): S
   return withBody(state, { angle: Math.round((wrapped(degrees) / 180) * Math.PI * 1e4) / 1e4 }, gesture);
 }
 
-/** Within the limits of the size. */
+/** Resizes the selected body within its limits. */
 export function resizeTo(state: State, size: Size, value: number, gesture: string | null): State {
   const body = selectedBody(state);
   if (!body || !SIZES[body.shape].includes(size)) return state;
@@ -132,7 +131,7 @@ export function resizeTo(state: State, size: Size, value: number, gesture: strin
   return withBody(state, { [size]: hundredths(Math.min(Math.max(value, least), most)) }, gesture);
 }
 
-/** Whether the selected body may have a role: the green object and the goal change places, but are always there. */
+/** Whether the selected body may have a role. The green object and the goal can be swapped, but never removed. */
 export function mayBe(state: State, role: Role): boolean {
   const { scene, selected } = making(state);
   if (selected === null) return false;
@@ -157,12 +156,12 @@ export function mayAdd(state: State): boolean {
   return making(state).scene.bodies.length < SCENE_LIMITS.bodies[1];
 }
 
-/** Adds a body where there is room, and selects it; `fits`: may a scene be played, as far as this body goes? */
+/** Adds a body where there is room, and selects it. `fits`: whether this body leaves a scene playable. */
 export function add(state: State, shape: Shape, fits: (scene: CustomScene, body: number) => boolean): State {
   return append(state, NEW_BODIES[shape], fits);
 }
 
-/** Adds a copy of the selected body beside it, and selects the copy. */
+/** Adds a copy of the selected body next to it, and selects the copy. */
 export function duplicate(state: State, fits: (scene: CustomScene, body: number) => boolean): State {
   const body = selectedBody(state);
   if (!body) return state;
@@ -202,12 +201,12 @@ export function rename(state: State, text: string): State {
   return withScene(state, name ? { ...scene, name } : scene, "name");
 }
 
-/** Begins with next to nothing; undo leads back. */
+/** Starts over with a minimal scene; undo leads back. */
 export function empty(state: State): State {
   return withMake(withScene(state, EMPTY, null), { selected: null });
 }
 
-/** A pointer goes down: it grabs a knob or a body, or selects nothing. */
+/** Handles a pointer going down: it grabs a knob or a body, or clears the selection. */
 export function press(state: State, pointer: number, point: Point, reach: { knob: number; ball: number }): State {
   if (making(state).drag) return state;
   const before = { make: state.make, run: state.run };
@@ -215,7 +214,7 @@ export function press(state: State, pointer: number, point: Point, reach: { knob
   const knob = body && knobAt(body, point, reach.knob);
   if (body && knob) return withMake(state, { drag: { pointer, before, ...knob } });
   const { scene, selected } = making(state);
-  // The selected body stays grabbed where it is under another.
+  // The selected body can be grabbed even where it is under another.
   const hit = body && distanceTo(body, point) <= 0 ? selected : bodyAt(scene.bodies, point, reach.knob);
   if (hit === null) return withMake(state, { selected: null });
   const { x, y } = scene.bodies[hit]!;
@@ -247,7 +246,7 @@ export function release(state: State, pointer: number): State {
   return state.make?.drag?.pointer === pointer ? withMake(state, { drag: null, gesture: null }) : state;
 }
 
-/** The browser takes the pointer away, to scroll: nothing has happened. */
+/** Restores the state if the browser takes the pointer away to scroll. */
 export function cancel(state: State, pointer: number): State {
   const held = state.make?.drag;
   return held?.pointer === pointer ? { ...state, ...held.before } : state;
@@ -278,7 +277,7 @@ export function redo(state: State): State {
   return travel(state, { scene: future.at(-1)!, past: [...past, scene], future: future.slice(0, -1) });
 }
 
-/** Whoever still drags lets go: the pointer would take the body back at once. */
+/** Ends a drag, which would otherwise move the body back at once. */
 function travel(state: State, change: Pick<Making, "scene" | "past" | "future">): State {
   const { selected } = making(state);
   const isThere = selected !== null && selected < change.scene.bodies.length;
@@ -302,13 +301,13 @@ function withScene(state: State, scene: CustomScene, gesture: string | null): St
   return withMake(state, { scene: named(state, scene), past, future: [], gesture });
 }
 
-/** A puzzle that is changed is no longer what its name says. */
+/** Renames a task of the benchmark that has been changed. */
 function named({ puzzle, text }: State, scene: CustomScene): CustomScene {
   const isOfTask = puzzle.about.id !== null && scene.name === undefined && scene.bodies !== EMPTY.bodies;
   return isOfTask ? { ...scene, name: text.make.changed(text.puzzle.name(puzzle.about)) } : scene;
 }
 
-/** Whoever changes the scene leaves what is played. */
+/** Changes the scene, which ends the run. */
 function withMake(state: State, change: Partial<Making>): State {
   return { ...state, run: null, make: { ...making(state), ...change } };
 }

@@ -9,14 +9,14 @@ export type Point = readonly [x: number, y: number];
 
 export interface Placement {
   readonly ball: Ball | null;
-  /** What undo goes back to, the latest last. */
+  /** States that undo returns to, the latest last. */
   readonly past: readonly (Ball | null)[];
-  /** What redo goes forward to, the next last. */
+  /** States that redo returns to, the next one last. */
   readonly future: readonly (Ball | null)[];
-  /** What moved the ball last. Moves of one gesture are undone together. */
+  /** The gesture that moved the ball last. Moves of one gesture are undone together. */
   readonly gesture: string | null;
   readonly drag: Drag | null;
-  /** It has been dropped, and waits for the model's ball. */
+  /** Whether the ball has been dropped and waits for the model's ball. */
   readonly dropped: boolean;
 }
 
@@ -26,18 +26,18 @@ export interface Drag {
   readonly grip: "centre" | "rim";
   readonly dx: number;
   readonly dy: number;
-  /** The state before, to which a pointer that the browser takes away goes back. */
+  /** The state to restore if the browser takes the pointer away. */
   readonly before: Pick<State, "placement" | "run">;
 }
 
 export const NO_BALL: Placement = { ball: null, past: [], future: [], gesture: null, drag: null, dropped: false };
 export const FIRST_RADIUS = 12;
-/** Where the first key press places the ball. */
+/** Position at which the first key press places the ball. */
 export const FIRST_BALL: Ball = [SCENE_SIZE / 2, SCENE_SIZE - 40, FIRST_RADIUS];
 
 const MOST_UNDONE = 200;
 
-/** Places the ball, rounded and within the scene; an invalid place is allowed, and said. */
+/** Places the ball, rounded and within the scene. Invalid placements are allowed and reported. */
 export function place(state: State, [x, y, r]: Ball, gesture: string | null): State {
   const ball: Ball = [clamp(x, 0, SCENE_SIZE - 1), clamp(y, 0, SCENE_SIZE - 1), clamp(r, MIN_RADIUS, MAX_RADIUS)];
   const { placement } = state;
@@ -47,7 +47,7 @@ export function place(state: State, [x, y, r]: Ball, gesture: string | null): St
   return placing(state, { ball, past, future: [], gesture });
 }
 
-/** Places the ball that a link names, if any; the route stays as the link has it. */
+/** Places the ball that a link names, if any; the route keeps the form of the link. */
 export function placeLinked(state: State, ball: Ball | null): State {
   return ball ? { ...place(state, ball, null), route: state.route } : state;
 }
@@ -74,10 +74,10 @@ export function redo(state: State): State {
   return travel(state, { ball: future.at(-1)!, past: [...past, ball], future: future.slice(0, -1) });
 }
 
-/** A pointer goes down: it grabs the knob or the ball within its reach (px), or places the ball and grabs that. */
+/** Handles a pointer going down: it grabs the knob or ball within its reach (px), or places the ball and grabs it. */
 export function press(state: State, pointer: number, [x, y]: Point, reach: { knob: number; ball: number }): State {
   const { ball, drag } = state.placement;
-  // The pointer that began owns the ball: a palm or a second finger changes nothing.
+  // Only the first pointer moves the ball: a palm or a second finger changes nothing.
   if (drag) return state;
   const before = { placement: state.placement, run: state.run };
   const toCentre = ball ? Math.hypot(x - ball[0], y - ball[1]) : Infinity;
@@ -97,7 +97,7 @@ export function drag(state: State, pointer: number, [x, y]: Point): State {
   return place(state, [ball[0], ball[1], Math.hypot(x - ball[0], y - ball[1])], gestureOf(pointer));
 }
 
-/** The pointer lets go. A ball that may not lie there goes to a free place nearby. */
+/** Releases the pointer. An invalid ball moves to a free place nearby. */
 export function release(state: State, pointer: number): State {
   const { drag, ball } = state.placement;
   if (drag?.pointer !== pointer) return state;
@@ -106,24 +106,24 @@ export function release(state: State, pointer: number): State {
   return placing(settled, { drag: null, gesture: null });
 }
 
-/** The browser takes the pointer away, to scroll: nothing has happened. */
+/** Restores the state if the browser takes the pointer away to scroll. */
 export function cancel(state: State, pointer: number): State {
   const { drag } = state.placement;
   return drag?.pointer === pointer ? { ...state, ...drag.before } : state;
 }
 
-/** Whatever touches the ball ends what is played. */
+/** Changes the placement, which ends the run. */
 export function placing(state: State, change: Partial<Placement>): State {
   const placement = { ...state.placement, dropped: false, ...change };
   return leaveLastStep({ ...state, run: null, touring: false, placement });
 }
 
-/** The last step of the walkthrough is left by whoever goes back to the ball of their own. */
+/** Leaves the last step of the walkthrough when the person returns to their own ball. */
 export function leaveLastStep(state: State): State {
   return state.route.step === "run" ? { ...state, route: { ...state.route, step: null } } : state;
 }
 
-/** Whoever still drags lets go: the pointer would take the ball back at once. */
+/** Ends a drag, which would otherwise move the ball back at once. */
 function travel(state: State, change: Partial<Placement>): State {
   return placing(state, { ...change, gesture: null, drag: null });
 }

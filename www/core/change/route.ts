@@ -11,34 +11,34 @@ import type { Step } from "./walkthrough.ts";
 import type { Puzzle } from "../puzzle.ts";
 import type { State } from "../state.ts";
 
-/** The panels beside the scene, in the order of their tabs; view/panels.ts shows them. */
+/** The panels next to the scene, in the order of their tabs; view/panels.ts shows them. */
 export const PANELS = ["play", "imagine", "predict", "make", "data"] as const;
 export type Panel = (typeof PANELS)[number];
 
-/** What a lesson may leave out: the ways to other puzzles, the model's guess, the model altogether, a panel. */
+/** Parts that a lesson may hide: the ways to other puzzles, the model's guess, the model altogether, a panel. */
 export const HIDEABLE = ["puzzles", "guess", "model", ...PANELS] as const;
 export type Hideable = (typeof HIDEABLE)[number];
 
 export interface Route {
-  /** "00007:008"; null: the home page, or a scene that is no task. */
+  /** "00007:008"; null for the home page or a custom scene. */
   readonly task: string | null;
-  /** A custom scene as text (core/scene-link.ts); null: a task is open. */
+  /** A custom scene as text (core/scene-link.ts); null if a task is open. */
   readonly scene: string | null;
   readonly panel: Panel;
   /** The maps over the scene. */
   readonly layers: readonly MapName[];
-  /** The scene and one sentence, in large type. */
+  /** "presentation" shows the scene and one sentence in large type. */
   readonly view: "presentation" | null;
-  /** The ball with which whoever sent the link solved the puzzle. */
+  /** Number of the ball with which the sender of the link solved the puzzle. */
   readonly challenge: number | null;
   /** The puzzles of a lesson, in order; the ways to other puzzles lead through them. */
   readonly lesson: readonly string[];
   readonly hide: readonly Hideable[];
-  /** The step of the walkthrough; null for all that the model imagines. */
+  /** The step of the walkthrough; null shows everything that the model imagines. */
   readonly step: Step | null;
 }
 
-/** A route as a link has it, with the ball to place. */
+/** A route as in a link, with the ball to place. */
 export interface Link extends Route {
   readonly ball: Ball | null;
 }
@@ -56,12 +56,12 @@ export const START: Link = {
   ball: null,
 };
 
-/** Goes elsewhere within the open puzzle. A ball that the link does not name stays where it is. */
+/** Moves within the open puzzle. The ball stays where it is unless the link names one. */
 export function routed(state: State, { ball, ...route }: Link): State {
   return arrived(placeLinked({ ...state, route, notice: null, sheet: null }, ball));
 }
 
-/** Goes to another puzzle, which has been opened. */
+/** Moves to another puzzle, which has been opened. */
 export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): State {
   const first = { placement: NO_BALL, run: null, answers: NO_ANSWERS, check: null, sketch: NO_SKETCH, make: null };
   const there = { ...state, route, puzzle, ...first };
@@ -73,12 +73,12 @@ export function openPanel(state: State, panel: Panel): State {
   return arrived({ ...state, touring: false, route: { ...state.route, panel } });
 }
 
-/** Begins the presentation, or leaves it. */
+/** Starts or ends the presentation. */
 export function present(state: State, view: Route["view"]): State {
   return { ...state, route: { ...state.route, view }, sheet: null };
 }
 
-/** Lays a map over the scene, or takes it away; those of a step of the walkthrough are where it begins. */
+/** Shows or hides a map over the scene, starting from the maps of the current step of the walkthrough. */
 export function toggleLayer(state: State, name: MapName): State {
   const layers = shownLayers(state);
   const others = layers.filter((layer) => layer !== name);

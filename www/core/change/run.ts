@@ -1,4 +1,5 @@
-// What the scene plays: a duel, in which the player's ball and the model's run over each other, and playback of it.
+// The run that the scene plays: a duel, in which the player's ball and the model's run over each other, and its
+// playback.
 
 import { attempts, attemptLimitReached, awaitsModel, modelSolvedAt, playerSolvedAt } from "../derived/duel.ts";
 import { isAlone } from "../derived/hidden.ts";
@@ -12,20 +13,20 @@ import type { State } from "../state.ts";
 export const SPEEDS = [0.25, 1, 4] as const;
 
 export interface Run {
-  /** The balls that run over each other, the player's first. */
+  /** The balls of the run, drawn over each other, the player's first. */
   readonly balls: readonly ShownRollout[];
-  /** The number of the player's ball, from 1; null if it shows no attempt of theirs. */
+  /** Number of the player's ball, from 1; null if the run shows no attempt of theirs. */
   readonly round: number | null;
-  /** Steps since the start; a fraction lies between two steps. */
+  /** Steps since the start; fractions interpolate between steps. */
   readonly step: number;
   readonly playing: boolean;
-  /** It plays for the first time: nothing of its outcome is told before the end. */
+  /** Whether the run plays for the first time: its outcome is hidden until the end. */
   readonly fresh: boolean;
 }
 
 /**
- * The player's ball and the model's of the same number run, for which it waits; `alone`, only the player's. A ball that
- * was tried before is shown again.
+ * Drops the player's ball and the model's of the same number, for which it waits; with `alone`, only the player's. A
+ * ball that was tried before is shown again.
  */
 export function drop(state: State, alone = false): State {
   const { ball } = state.placement;
@@ -42,13 +43,14 @@ export function drop(state: State, alone = false): State {
   return showRound(dropped, made.length + 1, false, true);
 }
 
-/** Goes on with a drop that has waited, if what it waits for is there or will not come. */
+/** Continues a waiting drop once the answer is there or will not come. */
 export function goOn(state: State): State {
   return state.placement.dropped ? drop(state) : state;
 }
 
 /**
- * Shows a round of the list again; `unveiled` with the model's ball also if the player has not solved the puzzle yet.
+ * Shows a round of the list again; with `unveiled`, shows the model's ball even if the player has not solved the
+ * puzzle.
  */
 export function show(state: State, round: number, unveiled = false): State {
   return showRound(state, round, unveiled, false);
@@ -66,7 +68,7 @@ function showRound(state: State, round: number, unveiled: boolean, fresh: boolea
   );
 }
 
-/** The model's ball of a round. Its solution is played once; then it is veiled until the player has solved or asks. */
+/** The model's ball of a round. Its solution plays once, then is hidden until the player has solved or asks. */
 function modelBall(state: State, round: number, unveiled: boolean, fresh: boolean): ShownRollout["ball"] {
   const tried = state.answers.turn[round - 1];
   if (!tried) return null;
@@ -74,7 +76,7 @@ function modelBall(state: State, round: number, unveiled: boolean, fresh: boolea
   return isVeiled && modelSolvedAt(state) === round ? null : tried.ball;
 }
 
-/** Plays balls over each other, from the start; where motion is unwelcome, shows their end. */
+/** Plays balls over each other from the start; under reduced motion, shows only their end. */
 export function play(state: State, balls: readonly ShownRollout[], round: number | null, fresh: boolean): State {
   if (balls.length === 0) return state;
   const placement = { ...state.placement, drag: null, gesture: null, dropped: false };
@@ -83,7 +85,7 @@ export function play(state: State, balls: readonly ShownRollout[], round: number
   return state.device.stillness ? seek(started, Infinity) : started;
 }
 
-/** Back to placing, with the ball where it was. */
+/** Returns to placing, with the ball where it was. */
 export function again(state: State): State {
   return state.run ? leaveLastStep({ ...state, run: null }) : state;
 }
@@ -105,7 +107,7 @@ export function setSpeed(state: State, speed: number): State {
   return { ...state, speed };
 }
 
-/** Time passes. */
+/** Advances time. */
 export function advance(state: State, milliseconds: number): State {
   if (!state.run?.playing) return state;
   const steps = (milliseconds / 1000) * STEPS_PER_SECOND * state.speed;

@@ -1,4 +1,4 @@
-// The device and the language of the page, and what it says when something goes wrong.
+// The device, the language, and messages about errors.
 
 import type { Language } from "../../text/language.ts";
 import type { Theme } from "./kept.ts";
@@ -9,26 +9,26 @@ import type { Text } from "../../text/text.ts";
 export interface Device {
   readonly language: Language;
   readonly theme: Theme;
-  /** Motion is unwelcome. */
+  /** Whether the person prefers reduced motion. */
   readonly stillness: boolean;
-  /** By its calendar, in days since 1970. */
+  /** Date of the device, in days since 1970. */
   readonly day: number;
 }
 
-/** Why a scene may not be played; null: there is none. */
+/** Why a scene may not be played; null if there is no scene. */
 export interface BadScene {
   readonly problem: NamedProblem | null;
 }
 
-/** The text has the words. */
+/** A message; the text has its words. */
 export type Notice =
   | { readonly kind: "no_task"; readonly task: string }
   | { readonly kind: "unread_link"; readonly parts: readonly string[] }
   | ({ readonly kind: "bad_scene" | "bad_file" } & BadScene)
   | { readonly kind: "storage_full" | "no_picture" | "no_text" }
-  /** A file of attempts is read, of which this share is done. */
+  /** A file of attempts is being read; `share` is done. */
   | { readonly kind: "opening"; readonly share: number }
-  /** `added`: new here; `unread`: lines that are no attempts. */
+  /** `added`: new attempts; `unread`: lines that are not attempts. */
   | { readonly kind: "opened"; readonly added: number; readonly found: number; readonly unread: number }
   | { readonly kind: "no_attempts"; readonly file: string };
 

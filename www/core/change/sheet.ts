@@ -1,4 +1,4 @@
-// The sheets over the page: sharing, a link for a lesson, about, and the question before all is forgotten.
+// The sheets over the page: sharing, a link for a lesson, about, and the confirmation before forgetting everything.
 
 import { PANELS } from "./route.ts";
 import { attempts } from "../derived/duel.ts";
@@ -11,14 +11,14 @@ export type Sheet = "share" | "lesson" | "about" | "forget";
 export type Card =
   | { readonly kind: "drawing" }
   | { readonly kind: "ready"; readonly url: string; readonly file: File }
-  /** The browser gave none in time, or noise in place of it. */
+  /** The browser made no picture in time, or noise instead. */
   | { readonly kind: "none"; readonly why: "missing" | "noise" };
 
 export interface Share {
-  /** Show where the ball of the solution was. */
+  /** Whether to show the ball of the solution. */
   readonly withBall: boolean;
   readonly card: Card;
-  /** What became of the last copy, or of a file. */
+  /** Result of the last copy or file. */
   readonly done: "copied" | "not_copied" | "not_shared" | null;
 }
 
@@ -26,10 +26,10 @@ export const PRESETS = ["everything", "play", "predict"] as const;
 export type Preset = (typeof PRESETS)[number];
 
 export interface Lesson {
-  /** Null: chosen part by part. */
+  /** Null if the parts are chosen individually. */
   readonly preset: Preset | null;
   readonly hide: readonly Hideable[];
-  /** As the person writes them. */
+  /** As typed by the person. */
   readonly tasks: string;
   readonly presentation: boolean;
   /** The address as a QR code, a data URL; null if it is too long for one. */
@@ -53,7 +53,7 @@ export function setLesson(state: State, change: Partial<Lesson>): State {
   return { ...state, lesson: { ...state.lesson, ...change } };
 }
 
-/** What a preset leaves out. */
+/** Applies a preset of hidden parts. */
 export function usePreset(state: State, preset: Preset): State {
   return setLesson(state, { preset, hide: HIDDEN[preset] });
 }
@@ -69,11 +69,11 @@ const panelsBut = (...kept: string[]): Hideable[] => PANELS.filter((panel) => !k
 const HIDDEN: Record<Preset, readonly Hideable[]> = {
   everything: [],
   play: ["puzzles", ...panelsBut("play")],
-  // The model's guess would tell what the class is to say.
+  // The model's guess would give away what the class should predict.
   predict: ["puzzles", "guess", ...panelsBut("play", "predict")],
 };
 
-/** Forgets all attempts, at a moment that other tabs compare theirs with (ms since 1970). */
+/** Forgets all attempts. Other tabs compare the time with theirs (ms since 1970). */
 export function forget(state: State, now: number): State {
   const kept = { ...state.kept, attempts: {}, forgotten: now };
   return { ...state, kept, run: attempts(state).length > 0 ? null : state.run, sheet: null };

@@ -1,5 +1,5 @@
-// Predicting: a person draws where the green object will go, from the object on, and lets it run. Elsewhere in the
-// scene the pointer places the ball, as in Play.
+// Predicting: a person draws the path of the green object, starting at the object, and lets the scene run. Elsewhere in
+// the scene the pointer places the ball, as in Play.
 
 import { cancel, drag, nudge, placing, press, release } from "./placement.ts";
 import { drop, play } from "./run.ts";
@@ -9,22 +9,22 @@ import type { Point } from "./placement.ts";
 import type { State } from "../state.ts";
 
 export interface Sketch {
-  /** From the middle of the object to where it ends, px. */
+  /** Points from the middle of the object to the end of the line, px. */
   readonly line: readonly Point[];
-  /** The pointer that draws, and the line before, to which one that the browser takes away goes back. */
+  /** The pointer that draws, and the line to restore if the browser takes that pointer away. */
   readonly drawing: { readonly pointer: number; readonly before: readonly Point[] } | null;
 }
 
 export const NO_SKETCH: Sketch = { line: [], drawing: null };
 
-/** The shortest piece of a line worth keeping, px. */
+/** Minimum length of a piece of a line, px. */
 const PIECE = 2;
-/** More than a day of drawing needs. */
+/** More points than a day of drawing needs. */
 const MOST_POINTS = 4000;
-/** How much further than a ball an arrow key draws. */
+/** How many times further an arrow key draws than it moves a ball. */
 const STRIDE = 5;
 
-/** Draws on from the object, or from the end of the line; elsewhere the ball is meant. */
+/** Continues the line from the object or from its end; elsewhere places the ball. */
 export function pressSketch(state: State, pointer: number, point: Point, reach: { knob: number; ball: number }): State {
   const { line, drawing } = state.sketch;
   if (drawing || state.placement.drag) return state;
@@ -49,7 +49,7 @@ export function cancelSketch(state: State, pointer: number): State {
   return { ...state, sketch: { line: drawing.before, drawing: null } };
 }
 
-/** Arrow keys draw; other keys and the wheel change the size of the ball. */
+/** Draws by arrow keys. Other keys and the wheel resize the ball. */
 export function nudgeSketch(state: State, dx: number, dy: number, dr: number, gesture: string): State {
   if (dr !== 0) return state.placement.ball ? nudge(state, 0, 0, dr, gesture) : state;
   const line = state.sketch.line.length > 0 ? state.sketch.line : [start(state)];
@@ -70,7 +70,7 @@ export function takeBallAway(state: State): State {
   });
 }
 
-/** Lets the scene run, with the ball if there is one: an attempt, but no duel. */
+/** Runs the scene, with the ball if there is one: an attempt, but not a duel. */
 export function letRun(state: State): State {
   if (!canRun(state)) return state;
   return state.placement.ball ? drop(state, true) : play(state, [{ ball: null, of_model: false }], null, false);
@@ -88,7 +88,7 @@ function extended(state: State, [x, y]: Point): State {
   return { ...state, sketch: { ...state.sketch, line: [...line, next] } };
 }
 
-/** A prediction is about what comes: a run is left. */
+/** Changes the prediction, which ends the run. */
 function sketching(state: State, sketch: Sketch): State {
   return { ...placing(state, { gesture: null }), sketch };
 }
@@ -98,7 +98,7 @@ function start(state: State): Point {
   return [object.x, object.y];
 }
 
-/** The smallest ball may not lie where the object is. */
+/** Whether the smallest ball would overlap the object. */
 function isOnObject({ puzzle }: State, [x, y]: Point): boolean {
   const fault = puzzle.whyInvalid([x, y, MIN_RADIUS]);
   return fault?.kind === "overlaps" && fault.body === puzzle.scene.body1;

@@ -1,4 +1,4 @@
-// The walkthrough: how the model comes to its ball, in six steps. The last plays that ball.
+// The walkthrough: how the model chooses its ball, in six steps. The last step plays that ball.
 
 import { shownPanel } from "../derived/hidden.ts";
 import { introShown } from "../derived/home.ts";
@@ -9,7 +9,7 @@ import type { State } from "../state.ts";
 export const STEPS = ["base", "target", "action", "placement", "imagined", "run"] as const;
 export type Step = (typeof STEPS)[number];
 
-/** The maps that each step lays over the scene. */
+/** The maps that each step shows over the scene. */
 export const STEP_LAYERS: Record<Step, readonly MapName[]> = {
   base: ["base"],
   target: ["target"],
@@ -19,31 +19,31 @@ export const STEP_LAYERS: Record<Step, readonly MapName[]> = {
   run: [],
 };
 
-/** Goes to a step; null: all together. What ran before does not lie over what a step imagines. */
+/** Goes to a step; null shows everything together. An earlier run is not drawn over the maps of a step. */
 export function goTo(state: State, step: Step | null): State {
   const run = step === null ? state.run : null;
   return arrived({ ...state, run, touring: false, route: { ...state.route, step } });
 }
 
-/** Goes some steps further; before the first are all together. */
+/** Goes forward by some steps. Before the first step is everything together. */
 export function go(state: State, by: number): State {
   const index = stepIndex(state) + by;
   return goTo(state, STEPS[Math.min(Math.max(index, -1), STEPS.length - 1)] ?? null);
 }
 
-/** -1 for all together. */
+/** Returns -1 for everything together. */
 export function stepIndex({ route: { step } }: State): number {
   return step ? STEPS.indexOf(step) : -1;
 }
 
-/** Goes on by itself, from the first step after all together or the last; or stops. */
+/** Starts the tour, from the first step after everything together or the last step; or stops it. */
 export function toggleTour(state: State): State {
   if (state.touring) return { ...state, touring: false };
   const isBetween = stepIndex(state) >= 0 && state.route.step !== "run";
   return { ...(isBetween ? state : goTo(state, "base")), touring: true };
 }
 
-/** The present step has been seen. */
+/** Moves on once the current step has been seen. */
 export function tourOn(state: State): State {
   return state.route.step === "run" ? { ...state, touring: false } : { ...go(state, 1), touring: true };
 }
@@ -53,7 +53,7 @@ export function atLastStep(state: State): boolean {
 }
 
 /**
- * Plays the model's first ball where that is due, once it is known; elsewhere nothing that only the walkthrough plays.
+ * Plays the model's first ball where that is due, once it is known. Elsewhere stops what only the walkthrough plays.
  */
 export function arrived(state: State): State {
   if (introShown(state)) return state;

@@ -1,5 +1,5 @@
-// The bodies of a scene as a person handles them: where a pointer meets one, where its knobs are, and what dragging a
-// knob makes of it. Lengths in px, y up, angles in radians counter-clockwise.
+// The bodies of a scene as handled by a person: where a pointer hits one, where its knobs are, and what dragging a knob
+// does. Lengths in px, y up, angles in radians counter-clockwise.
 
 import {
   HALF_STICK,
@@ -24,19 +24,19 @@ export const SIZES: Record<Shape, readonly [Size, ...Size[]]> = {
   standing_sticks: ["length"],
 };
 
-/** How far standing sticks lean from the horizontal. */
+/** Angle of standing sticks from the horizontal. */
 const LEAN = (STICK_LEAN / 180) * Math.PI;
-/** How far the knob that turns a body is from it. */
+/** Distance of the turning knob from the body. */
 const TURN_DISTANCE = 14;
-/** The least distance of a knob from the edge of the scene. */
+/** Minimum distance of a knob from the edge of the scene. */
 const EDGE = 5;
 
-/** 0 if the shape has no such size. */
+/** Returns a size of a body; 0 if its shape has no such size. */
 export function sizeOf(body: CustomBody, size: Size): number {
   return (body as Partial<Record<Size, number>>)[size] ?? 0;
 }
 
-/** The least and the most of a size. */
+/** The minimum and maximum of a size. */
 export function limitsOf({ shape }: CustomBody, size: Size): readonly [least: number, most: number] {
   if (size === "radius") return SCENE_LIMITS.ball_radius;
   if (size === "thickness") return SCENE_LIMITS.bar_thickness;
@@ -44,7 +44,7 @@ export function limitsOf({ shape }: CustomBody, size: Size): readonly [least: nu
   return shape === "bar" ? SCENE_LIMITS.bar_length : SCENE_LIMITS.stick_length;
 }
 
-/** The colour of a body says what it is there for. */
+/** The role of a body, which its colour shows. */
 export function roleOf({ body1, body2, bodies }: CustomScene, index: number): Role {
   const dynamic = bodies[index]!.dynamic;
   if (index === body1) return "green";
@@ -52,7 +52,7 @@ export function roleOf({ body1, body2, bodies }: CustomScene, index: number): Ro
   return dynamic ? "gray" : "black";
 }
 
-/** A body as a person names it. */
+/** A body in words. */
 export type Named = Pick<Body, "role" | "shape">;
 
 export function namedOf(scene: CustomScene, index: number | null): Named | null {
@@ -60,7 +60,7 @@ export function namedOf(scene: CustomScene, index: number | null): Named | null 
   return body && index !== null ? { role: roleOf(scene, index), shape: body.shape } : null;
 }
 
-/** What is wrong with a scene, with its bodies as a person names them. */
+/** A problem of a scene, with its bodies in words. */
 export interface NamedProblem {
   readonly fault: SceneProblem["fault"];
   readonly body: Named | null;
@@ -71,7 +71,7 @@ export function namedProblem(scene: CustomScene, { fault, body, other }: ScenePr
   return { fault, body: namedOf(scene, body), other: namedOf(scene, other) };
 }
 
-/** 0 up to 360. */
+/** The angle in degrees, from 0 up to 360. */
 export function degreesOf({ angle }: CustomBody): number {
   return wrapped(Math.round((angle / Math.PI) * 18000) / 100);
 }
@@ -83,7 +83,7 @@ export function directionTo({ x, y }: CustomBody, point: Point): number {
   return (Math.atan2(point[1] - y, point[0] - x) / Math.PI) * 180;
 }
 
-/** How far a point is from a body; not positive inside. A jar counts as filled. */
+/** Distance of a point from a body; not positive inside. A jar counts as filled. */
 export function distanceTo(body: CustomBody, point: Point): number {
   const [u, v] = toBody(body, point);
   const beyond = (value: number, half: number) => Math.max(Math.abs(value) - half, 0);
@@ -106,7 +106,7 @@ export function distanceTo(body: CustomBody, point: Point): number {
   }
 }
 
-/** The body that a pointer grabs: the nearest within reach, and of those that it is in the smallest, as in a jar. */
+/** The body that a pointer grabs: the nearest within reach; among those around it, the smallest, as in a jar. */
 export function bodyAt(bodies: readonly CustomBody[], point: Point, reach: number): number | null {
   const near = bodies.map((body, index) => ({ index, extent: circleOf(body).radius, far: distanceTo(body, point) }));
   const order = near
@@ -116,7 +116,7 @@ export function bodyAt(bodies: readonly CustomBody[], point: Point, reach: numbe
   return order[0]?.index ?? null;
 }
 
-/** A circle that a body lies in. */
+/** A circle that contains a body. */
 export function circleOf(body: CustomBody): { centre: Point; radius: number } {
   switch (body.shape) {
     case "ball":
@@ -130,7 +130,7 @@ export function circleOf(body: CustomBody): { centre: Point; radius: number } {
   }
 }
 
-/** The knob that resizes a body, and the one that turns it. One that would lie outside goes to the other side. */
+/** The resizing and turning knobs of a body. A knob that would be outside the scene moves to the other side. */
 export function knobsOf(body: CustomBody): { size: Point; turn: Point | null } {
   switch (body.shape) {
     case "ball":

@@ -1,27 +1,27 @@
-// What follows from the check, as far as it has been tried.
+// Derived from the check, as far as it has run.
 
 import { sameBall } from "../puzzle.ts";
 import { solutions } from "./placing.ts";
 import type { FoundSolutions } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
-/** The outcome of a place where a ball works, as the wasm numbers them. */
+/** Outcome of a place where a ball solves, as numbered by the wasm. */
 const SOLVED = 3;
 
-/** What there is to say of the search for an easy ball, until the person goes on. */
+/** Results of the search for an easy ball, until the person continues. */
 export function searched({ check, answers: { found }, placement }: State): FoundSolutions | null {
   if (!check || !found) return null;
   const isOver = found.progress === 1;
   return (isOver ? !found.easiest || sameBall(placement.ball, found.easiest) : check.seeking) ? found : null;
 }
 
-/** The share of all places where a ball works. */
+/** The share of places where a ball works. */
 export function working(state: State): number {
   const outcomes = solutions(state)?.outcomes ?? new Uint8Array(1);
   return outcomes.reduce((sum, outcome) => sum + Number(outcome === SOLVED), 0) / outcomes.length;
 }
 
-/** How much of the model's map of places lies where a ball works; null while either is unknown. */
+/** The share of the model's placement map on places where a ball works; null while either is unknown. */
 export function agreement(state: State): number | null {
   const found = solutions(state);
   const map = state.answers.maps?.placement;

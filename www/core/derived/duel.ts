@@ -1,4 +1,4 @@
-// What follows from the attempts of player and model: the list, the verdict, and what the large button does next.
+// Derived from the attempts of player and model: the list, the verdict, and the next action of the large button.
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import { guess } from "./placing.ts";
@@ -11,23 +11,23 @@ import type { State } from "../state.ts";
 
 /**
  * How a round ended: `won` before the model; `draw` with the same number of balls; `late` after the model; `lost`, the
- * model solved with this ball and the player did not; `behind`, it had before; `neither`; `solved` and `missed` alone;
- * `after`, a miss of a player who had solved before.
+ * model solved with this ball and the player did not; `behind`, the model had solved before; `neither`; `solved` and
+ * `missed` alone; `after`, a miss of a player who had already solved.
  */
 export type Outcome = "won" | "draw" | "late" | "lost" | "behind" | "neither" | "solved" | "missed" | "after";
 
 export interface Verdict {
   readonly outcome: Outcome;
   readonly round: number;
-  /** The number of the ball with which the model solved, if it has. */
+  /** Number of the ball with which the model solved, if it has. */
   readonly modelAt: number | null;
-  /** Of the player's ball. */
+  /** Facts of the player's rollout. */
   readonly facts: RolloutFacts;
-  /** The radius of the player's ball, px. */
+  /** Radius of the player's ball, px. */
   readonly radius: number;
-  /** The chance that the model gave it, 0..1, and how far on average its guess was from the real path, px. */
+  /** Chance that the model gave the ball, 0..1, and mean distance of its guess from the real path, px. */
   readonly guessed: { readonly chance: number; readonly off: number } | null;
-  /** How many of the balls beside a solution solve too. */
+  /** How many of the balls next to a solution also solve. */
   readonly luck: Luck | null;
 }
 
@@ -35,11 +35,11 @@ export interface Verdict {
 export interface Round {
   readonly number: number;
   readonly player: AttemptLine;
-  /** Null if the model has not had its ball of this number, or had solved before. */
+  /** Null if the model has not dropped its ball of this number, or had already solved. */
   readonly model: { readonly solved: boolean } | null;
 }
 
-/** While a puzzle is made, it is tried, and one comes back to it. */
+/** Actions of the large button; `try` and `make` go from making a puzzle to trying it, and back. */
 export type Step = "start" | "drop" | "run" | "pause" | "play" | "again" | "back" | "next" | "try" | "make";
 
 export function attempts({ kept, puzzle }: State): readonly AttemptLine[] {
@@ -50,24 +50,24 @@ export function attemptLimitReached(state: State): boolean {
   return attempts(state).length >= ATTEMPT_LIMIT;
 }
 
-/** Is the model about to choose its ball of the next round? */
+/** Whether the model is about to choose its ball of the next round. */
 export function awaitsModel(state: State): boolean {
   const { model, answers } = state;
   return !isAlone(state) && model.kind === "ready" && answers.turnUpTo <= attempts(state).length;
 }
 
-/** The attempts of which the outcome may be told: not of one that plays for the first time. */
+/** Attempts whose outcome may be shown: all but one that plays for the first time. */
 export function toldAttempts(state: State): readonly AttemptLine[] {
   const made = attempts(state);
   return state.run?.fresh ? made.slice(0, (state.run.round ?? 1) - 1) : made;
 }
 
-/** The number of the player's first ball that solved, as far as it may be told. */
+/** Number of the player's first ball that solved, if it may be shown. */
 export function playerSolvedAt(state: State): number | null {
   return numberOf(toldAttempts(state).findIndex(({ status }) => status === "solved"));
 }
 
-/** The number of the model's ball that solved, within as many balls as the player has had. */
+/** Number of the model's ball that solved, within the number of balls that the player has had. */
 export function modelSolvedAt(state: State): number | null {
   if (isAlone(state)) return null;
   const told = state.answers.turn.slice(0, toldAttempts(state).length);
@@ -113,13 +113,13 @@ function outcomeOf(state: State, round: number, solved: boolean, modelAt: number
   return modelAt === null ? "neither" : modelAt === round ? "lost" : "behind";
 }
 
-/** Of the last attempts, none of which solved. */
+/** Number of misses since the last solution. */
 export function missesInARow(state: State): number {
   const told = toldAttempts(state);
   return told.length - 1 - told.findLastIndex(({ status }) => status === "solved");
 }
 
-/** What the large button does. */
+/** The next action of the large button. */
 export function nextStep(state: State): Step {
   if (introShown(state)) return "start";
   const panel = shownPanel(state);
@@ -134,7 +134,7 @@ function numberOf(index: number): number | null {
   return index < 0 ? null : index + 1;
 }
 
-/** Of two paths x, y, x, y, … */
+/** Mean distance of two paths x, y, x, y, … */
 export function meanDistance(one: Float32Array, other: Float32Array): number {
   let sum = 0;
   for (let at = 0; at < one.length; at += 2) sum += Math.hypot(one[at]! - other[at]!, one[at + 1]! - other[at + 1]!);

@@ -1,11 +1,11 @@
-// Attempts as text for files: JSON lines, which can be opened again and which `pathlight verify` reads, and a table.
+// Attempts as text files: JSON lines, which the page can open again and `pathlight verify` reads, and a table.
 
 import { attempts } from "./duel.ts";
 import { isAlone } from "./hidden.ts";
 import type { Attempts } from "../change/kept.ts";
 import type { State } from "../state.ts";
 
-/** A longer line is no attempt, characters. */
+/** Maximum length of an attempt's line, characters. */
 const LONGEST_LINE = 65_536;
 
 export function attemptsText(attempts: Attempts): string {
@@ -13,9 +13,9 @@ export function attemptsText(attempts: Attempts): string {
   return lines.map((line) => `${JSON.stringify(line)}\n`).join("");
 }
 
-/** What the lines of a file hold, one by one; undefined for one that is no JSON. */
+/** Parses the lines of a file one by one; undefined for a line that is not JSON. */
 export function* parsedLines(text: string): Generator<unknown> {
-  // PowerShell marks the begin of a file.
+  // PowerShell writes a byte order mark at the start of a file.
   for (const line of text.replace(/^\ufeff/, "").split(/\r?\n/)) {
     if (line.trim() === "") continue;
     try {
@@ -27,7 +27,7 @@ export function* parsedLines(text: string): Generator<unknown> {
 }
 
 /**
- * The player's attempts at the open puzzle and the model's, as far as they have been played, as RFC 4180 has tables.
+ * The attempts of player and model at the open puzzle that have been played, as a table in the format of RFC 4180.
  */
 export function attemptsTable(state: State): string {
   const { puzzle, answers, model } = state;

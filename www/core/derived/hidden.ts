@@ -1,4 +1,4 @@
-// What is not shown: what a lesson leaves out, and in a challenge all that would give the answer away.
+// Hidden parts: those that a lesson hides and, in a challenge, everything that would give the answer away.
 
 import { PANELS } from "../change/route.ts";
 import { playerSolvedAt } from "./duel.ts";
@@ -9,16 +9,16 @@ export function isHidden(state: State, part: Hideable): boolean {
   const { challenge, hide } = state.route;
   if (hide.includes(part)) return true;
   if ((part === "guess" || part === "imagine") && isHidden(state, "model")) return true;
-  // Whoever is challenged plays alone, until they have solved it.
+  // A challenged player plays alone until they have solved the puzzle.
   return challenge !== null && part !== "play" && part !== "puzzles" && playerSolvedAt(state) === null;
 }
 
-/** Is there a way to other puzzles? */
+/** Whether there is a way to other puzzles. */
 export function canGoOn(state: State): boolean {
   return !isHidden(state, "puzzles") || state.route.lesson.length > 1;
 }
 
-/** The panels that are shown; one stays. */
+/** The panels that are shown, at least one. */
 export function shownPanels(state: State): Panel[] {
   const shown = PANELS.filter((panel) => !isHidden(state, panel));
   return shown.length > 0 ? shown : ["play"];
@@ -30,7 +30,7 @@ export function shownPanel(state: State): Panel {
   return shown.find((panel) => panel === state.route.panel) ?? shown[0]!;
 }
 
-/** Without the model's balls. */
+/** Whether the player plays without the model. */
 export function isAlone(state: State): boolean {
   return state.kept.alone || state.route.hide.includes("model") || state.route.challenge !== null;
 }

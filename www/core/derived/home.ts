@@ -1,4 +1,4 @@
-// What follows for the home page: the show in its scene, the kinds of puzzles, and those to begin with.
+// Derived for the home page: the show in its scene, the kinds of puzzles, and puzzles to start with.
 
 import { IMAGINE, PICK } from "../change/home.ts";
 import { attempts, playerSolvedAt } from "./duel.ts";
@@ -11,12 +11,12 @@ import type { Kept } from "../change/kept.ts";
 
 export type Phase = "imagine" | "pick" | "real" | "result";
 
-/** A link names no puzzle then, and a benchmark's lies open in the picture. */
+/** Whether the home page is shown: the link names no puzzle, and a task of the benchmark is open in the picture. */
 export function isHome({ route, puzzle }: State): boolean {
   return route.task === null && puzzle.about.id !== null;
 }
 
-/** Is the show on: has nobody placed a ball? */
+/** Whether the show is on: nobody has placed a ball. */
 export function introShown(state: State): boolean {
   return isHome(state) && state.intro !== null && state.placement.ball === null && (state.run?.round ?? null) === null;
 }
@@ -26,13 +26,13 @@ export function introPhase(state: State): Phase {
   return state.intro!.time < IMAGINE ? "imagine" : "pick";
 }
 
-/** Part of the first phase in which a single future grows; they begin one after another. */
+/** Fraction of the first phase in which a single future grows. Futures start one after another. */
 const GROWING = 0.55;
-/** Opacity of the least likely and of the likeliest future. */
+/** Opacity of the least and the most likely future. */
 const FAINT = 0.16;
 const STRONG = 0.75;
 
-/** What the show lays over the scene, as the painter wants it. */
+/** The paths that the show draws over the scene, in the painter's form. */
 export function introPaths(state: State): {
   hints: { object: Float32Array; opacity: number }[];
   imagined: { of: Futures["ball"]; object: Float32Array; ball: Float32Array; errors: Float32Array } | null;
@@ -53,7 +53,7 @@ export function introPaths(state: State): {
   return { hints: hints.filter(({ opacity }) => opacity > 0), imagined: picked > 0 ? { of: ball, ...paths } : null };
 }
 
-/** The beginning of a path. */
+/** Returns the beginning of a path. */
 function partOf(path: ArrayLike<number>, fraction: number): Float32Array {
   const end = Math.min(Math.max(fraction, 0), 1) * (path.length / 2 - 1);
   const whole = 2 * Math.floor(end);
@@ -63,7 +63,7 @@ function partOf(path: ArrayLike<number>, fraction: number): Float32Array {
   return Float32Array.from(part);
 }
 
-/** How far the model's guess was from what happened, by the width of the scene; null until both are known. */
+/** Distance of the model's guess from the real path, in widths of the scene; null until both are known. */
 export function introMiss({ puzzle, answers }: State): { solved: boolean; off: number } | null {
   if (!answers.futures) return null;
   const { ball, imagined } = answers.futures;
@@ -75,13 +75,13 @@ export function introMiss({ puzzle, answers }: State): { solved: boolean; off: n
   return { solved: ending.solved, off: sum / (real.length / 2) };
 }
 
-/** A kind of puzzles: those that are new to the model, the easiest first. */
+/** A kind of puzzles. Its tasks are those new to the model, the easiest first. */
 export interface Kind {
   readonly id: string;
   readonly tasks: readonly string[];
 }
 
-/** The kinds, that with the easiest puzzle first. */
+/** The kinds, sorted by their easiest puzzle. */
 export function kindsOf({ tasks, rates, unseen }: Benchmark): Kind[] {
   const rate = new Map(tasks.map((task, index) => [task, rates[index]!]));
   const easiest = tasks.filter((task) => unseen.has(task)).sort((one, other) => rate.get(other)! - rate.get(one)!);
@@ -90,14 +90,14 @@ export function kindsOf({ tasks, rates, unseen }: Benchmark): Kind[] {
 }
 
 export interface Standing {
-  /** The puzzle that comes next, and its number within the kind, from 1. */
+  /** The next puzzle, and its number within the kind, from 1. */
   readonly task: string;
   readonly number: number;
-  /** What has been played of the kind, in order: its number, and whether it is solved. */
+  /** The puzzles of the kind that have been played, in order: number, and whether solved. */
   readonly played: readonly { readonly number: number; readonly solved: boolean }[];
 }
 
-/** How far a person has come with a kind. */
+/** A person's progress in a kind. */
 export function standing({ tasks }: Kind, attempts: Kept["attempts"]): Standing {
   const solved = (task: string) => attempts[task]?.some(({ status }) => status === "solved") ?? false;
   const next = tasks.findIndex((task) => !solved(task));
@@ -110,17 +110,17 @@ export function standing({ tasks }: Kind, attempts: Kept["attempts"]): Standing 
 
 export type Difficulty = "easy" | "medium" | "hard";
 
-/** By the share of balls that solve a puzzle. */
+/** Rates a puzzle by the share of balls that solve it. */
 export function difficulty(rate: number): Difficulty {
   return rate >= 0.02 ? "easy" : rate >= 0.004 ? "medium" : "hard";
 }
 
 /** A puzzle of the day is not too hard: at least this share of balls solves it. */
 const LEAST_RATE = 0.01;
-/** A prime, so that kinds alternate and none comes twice before all have come. */
+/** A prime, so that kinds alternate and no puzzle repeats before all have been shown. */
 const STRIDE = 7919;
 
-/** The puzzle of a day, counted in days since 1970: the same for everybody, without a server, and new to the model. */
+/** The puzzle of a day, counted in days since 1970: the same for everyone, without a server, and new to the model. */
 export function taskOfDay({ tasks, rates, unseen }: Benchmark, day: number): string {
   const possible = tasks.filter((task, index) => unseen.has(task) && rates[index]! >= LEAST_RATE);
   return possible[(day * STRIDE) % possible.length]!;

@@ -1,4 +1,4 @@
-// What the model imagines, as it is shown: maps over the scene, candidates, its favourite against what came of it.
+// What the model imagines, as displayed: maps over the scene, candidates, and its favourite compared with the outcome.
 
 import { meanDistance } from "./duel.ts";
 import { isHidden, shownPanel } from "./hidden.ts";
@@ -10,12 +10,12 @@ import type { MapName, RolloutFacts, View } from "../../pkg/page/pathlight.js";
 import type { Point } from "../change/placement.ts";
 import type { State } from "../state.ts";
 
-/** How many of the likeliest balls show their imagined path: more would cover each other. */
+/** How many of the likeliest balls show their imagined path; more would cover each other. */
 const MOST_HINTS = 40;
-/** The opacities of the least and of the likeliest of them. */
+/** Opacities of the least and the most likely of them. */
 const [FAINTEST, STRONGEST] = [0.15, 0.6];
 
-/** The maps over the scene; a prediction is not spoilt by them. */
+/** The maps shown over the scene; none during a prediction, which they would spoil. */
 export function shownLayers(state: State): readonly MapName[] {
   const { step, layers } = state.route;
   const panel = shownPanel(state);
@@ -23,7 +23,7 @@ export function shownLayers(state: State): readonly MapName[] {
   return panel === "imagine" && step ? STEP_LAYERS[step] : layers;
 }
 
-/** The paths that the model imagines for one ball, where they are shown. */
+/** The paths that the model imagines for one ball, if they are shown. */
 export function shownGuess(state: State): ReturnType<typeof guess> {
   const panel = shownPanel(state);
   if (panel === "imagine" && !atLastStep(state)) return null;
@@ -43,7 +43,7 @@ export function hints(state: State): View["hints"] {
   }));
 }
 
-/** What came of the model's favourite ball, and how far on average its guess was off, px. */
+/** Outcome of the model's favourite ball, and the mean error of its guess, px. */
 export interface Favourite {
   readonly facts: RolloutFacts;
   readonly radius: number;
@@ -70,7 +70,7 @@ export function overlap(one: Float32Array, other: Float32Array): number {
   return either > 0 ? both / either : 1;
 }
 
-/** Where a map is strongest, px; and the place half as strong or more that is farthest from there or from a start. */
+/** The strongest place of a map, px; and the farthest from there, or from a start, that is half as strong or more. */
 export function extent(map: Float32Array, start: Point | null): { from: Point; to: Point } {
   const peak = map.indexOf(map.reduce((most, value) => Math.max(most, value)));
   const from = start ?? placeOf(peak);

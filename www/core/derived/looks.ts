@@ -1,4 +1,4 @@
-// How the page looks and speaks: as the person has chosen, or as the device has it.
+// Theme and language of the page: chosen by the person, or those of the device.
 
 import type { Language } from "../../text/language.ts";
 import type { Theme } from "../change/kept.ts";

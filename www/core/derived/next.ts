@@ -1,24 +1,24 @@
-// Which puzzle comes next: one that is new to person and model, of another kind, and a little harder.
+// Chooses the next puzzle: new to person and model, of another kind, and a little harder.
 
-/** What is known of the benchmark's tasks, in one order. */
+/** Facts about the benchmark's tasks, all in the same order. */
 export interface Benchmark {
   readonly tasks: readonly string[];
-  /** The share of uniform valid balls that solve each. */
+  /** Share of uniform valid balls that solve each task. */
   readonly rates: Float64Array;
-  /** Those that the model was neither trained on nor chosen by. */
+  /** Tasks that the model was neither trained nor selected on. */
   readonly unseen: ReadonlySet<string>;
 }
 
-/** How much harder the next puzzle is: its share of solving balls by that of the present one. */
+/** Difficulty of the next puzzle: its share of solving balls relative to that of the current one. */
 const HARDER = 0.8;
 
 /**
- * The puzzle with which the home page begins. The model imagines it well and misses it all the same, so whoever has
- * watched can win, and has not seen the answer. What it imagines has been recorded.
+ * The first puzzle of the home page. The model imagines it well and still misses, so whoever has watched can win
+ * without having seen the answer. Its show has been recorded.
  */
 export const FIRST_TASK = "00013:193";
 
-/** The next puzzle after one; `tried`: has the person played it? */
+/** Returns the next puzzle after one; `tried` tells whether the person has played a puzzle. */
 export function nextTask(
   { tasks, rates, unseen }: Benchmark,
   from: string | null,
@@ -42,7 +42,7 @@ export function nextTask(
   return from ?? tasks[0]!;
 }
 
-/** The task some places further in the list, which is a ring. */
+/** The task some places further in the list, which wraps around. */
 export function neighbour({ tasks }: Pick<Benchmark, "tasks">, from: string | null, places: number): string {
   const here = from === null ? 0 : tasks.indexOf(from);
   return tasks.at((here + places) % tasks.length)!;
@@ -52,7 +52,7 @@ export function kindOf(task: string): string {
   return task.slice(0, 5);
 }
 
-/** The id of a task as people write it: "7:8" for "00007:008"; null if it is none. */
+/** Reads the id of a task as people write it: "7:8" for "00007:008"; null if it is not one. */
 export function taskOf(text: string): string | null {
   const [, kind, number] = /^\s*(\d{1,5})\s*[:./ -]\s*(\d{1,3})\s*$/.exec(text) ?? [];
   return kind && number ? `${kind.padStart(5, "0")}:${number.padStart(3, "0")}` : null;

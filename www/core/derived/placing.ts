@@ -1,4 +1,4 @@
-// What follows from the ball being placed: whether it may lie there, and what the model imagines for it.
+// Derived from the ball being placed: whether it is valid, and what the model imagines for it.
 
 import { atLastStep } from "../change/walkthrough.ts";
 import { isHidden, shownPanel } from "./hidden.ts";
@@ -17,27 +17,27 @@ export function goal({ puzzle: { scene } }: State): [object: Body, target: Body]
 }
 
 /**
- * The ball that the model is asked about: the one being placed, or the player's that runs; at the end of the
- * walkthrough the model's.
+ * The ball to ask the model about: the one being placed, or the player's ball in the run; at the end of the
+ * walkthrough, the model's.
  */
 export function questioned(state: State): Ball | null {
   if (state.run) return state.run.balls.find(({ of_model }) => of_model === atLastStep(state))?.ball ?? null;
   return fault(state) ? null : state.placement.ball;
 }
 
-/** Has anybody a use for the answer? */
+/** Whether the answer is used anywhere. */
 export function wantsGuess(state: State): boolean {
   return (state.kept.guess && !isHidden(state, "guess")) || shownPanel(state) === "predict" || atLastStep(state);
 }
 
-/** What the model imagines for that ball; while it is dragged, for where it was a moment ago. */
+/** What the model imagines for that ball; while it is dragged, for its position a moment ago. */
 export function guess(state: State): Answers["guess"] {
   const asked = questioned(state);
   const { guess } = state.answers;
   return asked && guess && (state.placement.drag || sameBall(asked, guess.of)) ? guess : null;
 }
 
-/** The solutions of the radius that is asked for, as far as they are known. */
+/** The solutions of the selected radius, as far as they are known. */
 export function solutions({ check, answers }: State): Answers["solutions"] {
   return check && answers.solutions?.radius === check.radius ? answers.solutions : null;
 }

@@ -1,4 +1,4 @@
-// How good a prediction was: the drawn path and the model's, each against the real one.
+// Scores a prediction: the drawn path and the model's, each compared with the real one.
 
 import { shownPanel } from "./hidden.ts";
 import { overlap } from "./imagined.ts";
@@ -7,13 +7,13 @@ import { ended } from "./run.ts";
 import type { Ball } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
-/** Shares of agreement, 0..1; the model's is null while it has imagined nothing. */
+/** Agreement, 0..1; the model's is null while it has imagined nothing. */
 export interface Prediction {
   readonly you: number;
   readonly model: number | null;
 }
 
-/** Null until what was predicted has run. */
+/** Returns null until the predicted scene has run. */
 export function prediction(state: State): Prediction | null {
   const { sketch, run, puzzle } = state;
   if (shownPanel(state) !== "predict" || sketch.line.length < 2) return null;
@@ -27,7 +27,7 @@ export function prediction(state: State): Prediction | null {
   };
 }
 
-/** For a ball the path that it imagines for that very ball; for none its base path. */
+/** With a ball, the path that the model imagines for it; without one, its base path. */
 function modelMask(state: State, ball: Ball | null): Float32Array | null {
   if (!ball) return state.answers.maps?.base ?? null;
   const imagined = guess(state)?.imagined;

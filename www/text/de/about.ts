@@ -1,4 +1,4 @@
-// Das Blatt „Über Pathlight“.
+// The sheet "About Pathlight".
 
 import type { Text } from "../text.ts";
 

@@ -1,4 +1,4 @@
-// Die Startseite.
+// The home page.
 
 import { formatsOf } from "../formats.ts";
 import { balls } from "./widths.ts";

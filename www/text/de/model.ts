@@ -1,4 +1,4 @@
-// Which model plays, and whether it knows the puzzle.
+// Which model plays, and whether it was trained on the puzzle.
 
 import type { Text } from "../text.ts";
 

@@ -1,4 +1,4 @@
-// Eine neue Version der Seite.
+// A new version of the page. These texts are bundled with offline/updates.ts alone.
 
 import type { offline as english } from "../en/offline.ts";
 

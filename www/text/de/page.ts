@@ -1,4 +1,4 @@
-// The page round the scene: header, menu, and what is said when something goes wrong.
+// The page around the scene: header, menu, and messages about errors.
 
 import { formatsOf } from "../formats.ts";
 import { make } from "./make.ts";

@@ -1,4 +1,4 @@
-// Ein Rätsel teilen, und Links für den Unterricht.
+// Sharing a puzzle, and links for a lesson.
 
 import { formatsOf } from "../formats.ts";
 import type { Found } from "../en/share.ts";

@@ -1,4 +1,4 @@
-// Entfernungen in Kugelbreiten.
+// Distances in widths of a ball.
 
 import { formatsOf } from "../formats.ts";
 import { widthsIn } from "../widths.ts";

@@ -44,7 +44,7 @@ export const exhibits = {
     puzzle: (place: number) => `Puzzle ${place}`,
     played: (learned: number | null, fresh: number | null, helped: string) =>
       `${learned === null ? "" : "solved "}${tries(learned)}${helped}. Without memory: ${tries(fresh)}.`,
-    /** `place`: of the puzzle that helped, in the list; 0 if it is of another kind. */
+    /** `place` is the position in the list of the puzzle that helped; 0 if it is of another kind. */
     helped: (place: number, kind: string, { mirrored }: Reminder) =>
       `, helped by ${place ? `puzzle ${place}` : `“${kind}”`}${mirrored ? " (mirrored)" : ""}`,
     total: (count: number, learned: number, fresh: number) =>
@@ -75,7 +75,7 @@ export const exhibits = {
     solved: (most: number) => (most === 1 ? "solved with the first ball" : `solved within ${most} balls`),
     unseen: (count: number) => `${number(count)} test puzzles, new to the model.`,
     others: "The other ways to play, on the same split:",
-    /** What its nets have learned from besides PHYRE's training tasks. */
+    /** What its nets were trained on in addition to PHYRE's training tasks. */
     sawMore: {
       within:
         "Its net learned from more than PHYRE’s training tasks: also from puzzles of the same kinds that PHYRE does not list. So do not compare it with published agents.",
@@ -115,7 +115,7 @@ export const exhibits = {
     within: "Known kinds",
     cross: "New kinds",
     ours: "Ours, means over ten splits",
-    /** By the recipe of lab/recipes.toml. */
+    /** Names by recipe of lab/recipes.toml. */
     recipes: {
       tasks: "online, taught PHYRE’s tasks alone",
       scenes: "online, taught more scenes †",

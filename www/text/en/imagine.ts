@@ -37,9 +37,9 @@ export const imagine = {
       "The model drops its favourite ball. Dotted: what it imagined. Solid: what really happens.",
     ],
   } satisfies Record<Step, [name: string, meaning: string]>,
-  /** The map of all places; the other maps are called as their steps. */
+  /** The map of all places; the other maps are named like their steps. */
   works: "What works",
-  /** What the paper calls them; it has no map of what works. */
+  /** The paper's names for them; it has no map of what works. */
   paper: {
     base: "base path",
     target: "target path",

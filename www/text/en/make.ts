@@ -1,4 +1,4 @@
-// Making a puzzle: its bodies, what is wrong with it, keeping and sharing it.
+// Making a puzzle: its bodies, its problems, keeping and sharing it.
 
 import { formatsOf } from "../formats.ts";
 import { puzzle } from "./puzzle.ts";

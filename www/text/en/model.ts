@@ -1,4 +1,4 @@
-// Which model plays, and whether it knows the puzzle.
+// Which model plays, and whether it was trained on the puzzle.
 
 import type { Setup } from "../../pkg/page/pathlight.js";
 
@@ -10,7 +10,7 @@ export const model = {
   } satisfies Record<Setup, string>,
   short: { within: "Model A", cross: "Model B" } satisfies Record<Setup, string>,
   practised: "Careful: it trained on this very puzzle.",
-  /** What is new to it; of a custom puzzle nobody knows the kind. */
+  /** What is new to the model; the kind of a custom puzzle is unknown. */
   unseen: {
     within: "It has practised this kind, not this puzzle.",
     cross: "It has never seen this kind of puzzle.",

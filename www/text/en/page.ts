@@ -1,4 +1,4 @@
-// The page round the scene: header, menu, and what is said when something goes wrong.
+// The page around the scene: header, menu, and messages about errors.
 
 import type { Failure } from "../../core/change/model.ts";
 import type { Notice } from "../../core/change/settings.ts";
@@ -40,7 +40,7 @@ export const page = {
   scene: "puzzle scene",
 
   loading: (arrived: number) => `The model is loading (${percent(arrived)}). You can play already.`,
-  /** What went wrong, and what helps. */
+  /** Explains a failure and its remedy. */
   failure: (failure: Failure) => FAILURES[failure.code],
   noModel: (failure: Failure) => `You can play on, but the model is not here. ${FAILURES[failure.code]}`,
   retry: "Load it again",

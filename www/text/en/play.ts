@@ -34,7 +34,7 @@ export const play = {
     make: "Back to making",
   },
   placeFirst: "Click or tap the scene to place your red ball. Nobody touches anything after that.",
-  /** For a screen reader alone. */
+  /** Only for screen readers. */
   keys: "By keys: arrows place and move it, plus and minus change its size, Enter drops it.",
   ready: "Ready. Drop it!",
   choosing: "The model chooses its ball …",
@@ -42,7 +42,7 @@ export const play = {
   full: `You have used all ${ATTEMPT_LIMIT} balls of this puzzle.`,
 
   verdict: ({ outcome, round, modelAt }: Verdict) => OUTCOMES[outcome](round, modelAt),
-  /** What became of a miss. */
+  /** How a miss ended. */
   miss: ({ facts: { ending, nearest }, radius }: Verdict) =>
     ending.longest_touch > 0
       ? `Green touched the goal for ${seconds(secondsOf(ending.longest_touch))} of ${GOAL_SECONDS}.`
@@ -69,7 +69,7 @@ export const play = {
   you: "You",
   model: "Model",
   noAttempts: "Every ball you drop is a duel: the model drops one of its own.",
-  /** The mark of an attempt, and what it is for a screen reader. */
+  /** The mark of an attempt, and its name for a screen reader. */
   solved: "solved",
   missed: "missed",
   waiting: "not yet",

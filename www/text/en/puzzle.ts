@@ -20,7 +20,7 @@ const placed = (one: Body) => `${body(one)} at x ${number(one.x)}, y ${number(on
 export const puzzle = {
   name: ({ id, name }: Pick<About, "id" | "name">) =>
     id ? kinds.get(id.slice(0, 5))!.name : (name ?? "Custom puzzle"),
-  /** What happens in it, and what to do. */
+  /** What happens in the puzzle, and what to do. */
   instructions: ({ id }: About) => (id ? kinds.get(id.slice(0, 5))!.story : "This scene is homemade."),
   goal: (object: Body, target: Body) =>
     `Get the ${body(object)} to touch the ${body(target)} for ${GOAL_SECONDS} seconds.`,

@@ -6,10 +6,10 @@ import type { Preset, Sheet } from "../../core/change/sheet.ts";
 const { counted } = formatsOf("en-GB");
 
 export interface Found {
-  /** The number of the ball that solved, and of the model's that did; null: none has. */
+  /** Number of the ball that solved, and of the model's ball that did; null if none has. */
   readonly solvedAt: number | null;
   readonly modelAt: number | null;
-  /** How many balls the model has had. */
+  /** Number of balls that the model has dropped. */
   readonly modelBalls: number;
 }
 

@@ -1,4 +1,4 @@
-//! The lines of a file of `data collect`, and reading them.
+//! The lines of a `data collect` file, and their reader.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::data::solutions::{Solution, TaskSolutions};
 use crate::data::task_selection::TaskSelection;
 use crate::files::journal::{self, check_ball, check_task};
 
-/// What determines the content of a file.
+/// Settings that determine the content of a file.
 #[derive(Serialize, Deserialize)]
 pub struct CollectSettings {
     pub seed: u64,
@@ -22,7 +22,7 @@ pub struct CollectSettings {
     pub limit: usize,
 }
 
-/// The lines after the settings, one for each task.
+/// The lines after the settings, one per task.
 impl journal::Entry for TaskSolutions {
     type Settings = CollectSettings;
     const COMMAND: &'static str = "data collect";
@@ -33,24 +33,24 @@ impl journal::Entry for TaskSolutions {
     }
 }
 
-/// What a file of `data collect` holds.
+/// The content of a `data collect` file.
 pub struct Collected {
     pub solutions: Vec<Solution>,
-    /// Version of the simulator that found them.
+    /// Version of the simulator that found the solutions.
     pub simulator: u32,
-    /// Tasks of the search that are not searched yet.
+    /// Number of tasks still to be searched.
     tasks_left: usize,
 }
 
 impl Collected {
-    /// Checks that the search is complete, so that no nets are trained on a part of it. `path` is its file.
+    /// Checks that the search is complete, so that no net is trained on part of it. `path` names the file in the error.
     ///
     /// # Errors
-    /// If tasks are left.
+    /// If tasks are left to search.
     pub fn check_complete(&self, path: &Path) -> anyhow::Result<()> {
         ensure!(
             self.tasks_left == 0,
-            "{} is not complete (tasks left: {}): let `pathlight-lab data collect` finish it",
+            "{} is not complete (tasks left: {}): finish it with `pathlight-lab data collect`",
             path.display(),
             self.tasks_left
         );
@@ -59,17 +59,17 @@ impl Collected {
 }
 
 impl CollectSettings {
-    /// The number of tasks that the file has a line for in the end.
+    /// Number of tasks, and thus of lines, in a complete file.
     fn tasks(&self) -> usize {
         let template = self.template.and_then(|number| TEMPLATES.get(number).copied());
         TaskSelection { template, limit: self.limit }.ids().count()
     }
 }
 
-/// Reads a file of `data collect`.
+/// Reads a `data collect` file.
 ///
 /// # Errors
-/// Says what is wrong with the file.
+/// If the file is missing or damaged.
 pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
     let (settings, lines) = journal::read::<TaskSolutions>(path)?;
     let tasks_left = settings.tasks().saturating_sub(lines.len());

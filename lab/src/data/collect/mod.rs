@@ -1,7 +1,7 @@
-//! Solutions of the tasks, found among uniform random balls, as JSON lines.
+//! Searches for solutions of the tasks among uniform random balls, and writes them as JSON lines.
 //!
-//! The file is a journal: the settings, then one line per task in ascending order, so the number of lines says where an
-//! interrupted run continues. The file depends only on the settings, not on the number of cores. `training::paths`
+//! The file is a journal: the settings, then one line per task in ascending order. The number of lines tells where to
+//! continue an interrupted run. The content depends only on the settings, not on the number of cores. `training::paths`
 //! makes training images from these lines.
 
 use std::fmt::{self, Write as _};
@@ -23,12 +23,12 @@ mod lines;
 /// The shipped solutions.
 pub const SOLUTIONS: &str = "assets/solutions.jsonl";
 
-/// Tasks that are searched at the same time and written together. An interruption loses at most their search.
+/// Tasks searched in parallel and written together: the most that an interruption loses.
 const BLOCK: usize = 8;
 
-/// What to search for, and where it is kept.
+/// What to search for, and where to write it.
 pub struct Settings {
-    /// File to write, or to continue.
+    /// File to write or continue.
     pub out: PathBuf,
     /// Solutions to find per task.
     pub per_task: usize,
@@ -52,7 +52,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Searches, or continues with it. Returns how many tasks have fewer solutions than asked for, and the unsolved
+    /// Starts or continues the search. Returns how many tasks have fewer solutions than `per_task`, and the unsolved
     /// tasks by template.
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl Settings {
         for (line, task) in searched.iter().zip(&tasks) {
             ensure!(
                 line.task == task.id,
-                "{} has the line of {} where that of {} belongs: remove the file",
+                "{} has task {} where task {} is expected: remove the file",
                 self.out.display(),
                 line.task,
                 task.id
@@ -92,14 +92,14 @@ impl Settings {
     }
 }
 
-/// Returns how much has been found so far.
+/// Summarises what has been found so far.
 fn summary(searched: &[TaskSolutions]) -> String {
     let rollouts: usize = searched.iter().map(|task| task.rollouts).sum();
     let found: usize = searched.iter().map(|task| task.balls.len()).sum();
     format!("{found} solutions of {} tasks, {rollouts} rollouts", searched.len())
 }
 
-/// Returns how many tasks have fewer solutions than asked for, and the unsolved tasks by template.
+/// Reports how many tasks have fewer solutions than `per_task`, and the unsolved tasks by template.
 fn report(searched: &[TaskSolutions], per_task: usize) -> Result<String, fmt::Error> {
     let mut text = String::new();
     let fewer = searched.iter().filter(|task| task.balls.len() < per_task).count();

@@ -1,4 +1,4 @@
-//! Makes the lines of a file of `data label`: chooses balls in a scene and tries them.
+//! Makes the lines of a `data label` file: chooses balls in a scene and simulates them.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ use crate::data::labels::{LabelledBalls, Sampled, Tried, sample, try_balls};
 use crate::data::scene_id::SceneId;
 use crate::data::solutions::Solution;
 
-/// Known solutions of the tasks that may be used.
+/// Known solutions of the tasks that may be used for sampling.
 pub struct KnownSolutions {
     of_task: BTreeMap<TaskId, Vec<Ball>>,
     of_template: Vec<Vec<Solution>>,
@@ -33,16 +33,16 @@ impl KnownSolutions {
     }
 }
 
-/// Makes the lines of a file.
+/// Labels balls in scenes.
 pub struct Labeller<'a> {
     pub settings: &'a Settings,
-    /// The nets that propose the balls; without them, balls are sampled.
+    /// Nets that propose the balls; `None` if balls are sampled.
     pub nets: Option<PathNet>,
     pub known: KnownSolutions,
 }
 
 impl Labeller<'_> {
-    /// The balls of a scene in a round.
+    /// Labels the balls of a scene in a round.
     pub fn label(&self, id: SceneId, round: usize) -> LabelledBalls {
         match id {
             SceneId::Unlisted(..) | SceneId::Random(_) => self.in_new_scene(id, round),
@@ -62,7 +62,7 @@ impl Labeller<'_> {
         LabelledBalls::new(scene_id, try_balls(&scene, balls))
     }
 
-    /// The balls that the nets find most probable, if there are nets.
+    /// Labels the balls that the nets rank highest; `None` without nets.
     fn proposed(&self, scene: &Scene, round: usize) -> Option<Vec<Tried>> {
         let read = self.nets.as_ref()?.read(scene)?;
         let ranked = ranked(&read.logits, scene, (round + 1) * BALLS);
@@ -70,9 +70,9 @@ impl Labeller<'_> {
         Some(try_balls(scene, balls.collect()))
     }
 
-    /// The balls of a scene without known solutions: those that nets propose, or sampled ones. Of these, some of the
-    /// second half lie near balls of the first half that solve. Most random scenes in which no proposed ball solves, or
-    /// none of the first half, get no balls, so that nets see about as many scenes with solutions as without.
+    /// Labels balls in a scene without known solutions, either proposed or sampled. If sampled, the second half
+    /// includes balls near solutions found in the first half. Most random scenes without a solution, among the proposed
+    /// balls or in the first half, get no balls, so that nets see about as many scenes with solutions as without.
     fn in_new_scene(&self, id: SceneId, round: usize) -> LabelledBalls {
         let scene = id.scene().expect("a scene of the selection");
         let (siblings, unsolved) = match id {

@@ -1,4 +1,4 @@
-//! The lines of a file of `data label`, and reading them.
+//! The lines of a `data label` file, and their reader.
 
 use std::num::NonZeroUsize;
 use std::path::Path;
@@ -13,7 +13,7 @@ use crate::data::label_use::Proposer;
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
 use crate::files::journal::{self, check_ball, check_task};
 
-/// What determines the content of a file.
+/// Settings that determine the content of a file.
 #[derive(Serialize, Deserialize)]
 pub struct LabelSettings {
     pub seed: u64,
@@ -22,15 +22,15 @@ pub struct LabelSettings {
     pub limit: usize,
     /// `simulator::VERSION`
     pub simulator: u32,
-    /// SHA-256 of the file of solutions; null in random scenes, of which none are known.
+    /// SHA-256 of the solutions file; null for random scenes, which have no known solutions.
     pub solutions: Option<String>,
-    /// SHA-256 of the weights whose most probable balls are labelled; absent if balls were sampled.
+    /// SHA-256 of the weights that proposed the balls; absent if the balls were sampled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weights: Option<String>,
-    /// Whether the net of these weights has not learned from the fold's dev tasks.
+    /// Whether the proposing net was trained without the fold's dev tasks.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub net_without_dev: bool,
-    /// Whether it has learned from random scenes alone.
+    /// Whether the proposing net was trained on random scenes alone.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub net_of_random_scenes: bool,
     #[serde(flatten)]
@@ -40,14 +40,14 @@ pub struct LabelSettings {
     pub training_tasks_of: Option<(Setup, u8)>,
 }
 
-/// The fields that say which scenes balls were tried in; none if in those of the tasks.
+/// The fields for the scenes that balls were tried in; all are absent for the scenes of tasks.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SceneFields {
-    /// Whether in random scenes; their number is that of the tasks.
+    /// Whether the scenes are random; `tasks` then counts them.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     random_scenes: bool,
-    /// The most unlisted tasks of a template.
+    /// Maximum number of unlisted tasks per template.
     #[serde(skip_serializing_if = "Option::is_none")]
     unlisted: Option<usize>,
 }
@@ -81,9 +81,9 @@ impl journal::Entry for LabelledBalls {
     }
 }
 
-/// What a file of `data label` holds.
+/// The content of a `data label` file.
 pub struct Labelled {
-    /// A line per task and round.
+    /// One line per scene and round.
     pub lines: Vec<LabelledBalls>,
     /// Setup and fold if only the fold's training tasks were used.
     pub training_tasks_of: Option<(Setup, u8)>,
@@ -93,13 +93,13 @@ pub struct Labelled {
 }
 
 impl Labelled {
-    /// Whether it ends with a whole round.
+    /// Whether the file ends with a complete round.
     pub fn is_complete(&self) -> bool {
         self.lines.len().is_multiple_of(self.tasks.get())
     }
 }
 
-/// Reads a file of `data label`.
+/// Reads a `data label` file.
 ///
 /// # Errors
 /// If the file is missing or damaged, or was made with another version of the simulator.
@@ -116,7 +116,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     } = settings;
     ensure!(
         version == simulator::VERSION,
-        "{} was labelled by simulator {version}, this is simulator {}: label the balls again",
+        "{} was labelled by simulator {version}, but this is simulator {}: label the balls again",
         path.display(),
         simulator::VERSION
     );

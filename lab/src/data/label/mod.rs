@@ -1,8 +1,8 @@
-//! Balls with their outcome in all tasks, in unlisted tasks or in random scenes, as JSON lines, to train a success net,
-//! a dynamics net or DQN on.
+//! Labels balls with their outcomes in all tasks, in unlisted tasks or in random scenes, and writes them as JSON lines,
+//! to train a success net, a dynamics net or DQN.
 //!
-//! The file is a journal: the settings, then one line per scene and round, in that order, so the number of lines
-//! says where an interrupted run continues. The balls depend only on the settings and the solutions.
+//! The file is a journal: the settings, then for each round one line per scene. The number of lines tells where to
+//! continue an interrupted run. The balls depend only on the settings and the solutions.
 
 use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
@@ -31,13 +31,13 @@ pub use lines::{LabelSettings, Labelled, read_labels};
 mod labeller;
 mod lines;
 
-/// Balls of a scene per line.
+/// Balls per line, which holds one scene in one round.
 pub const BALLS: usize = 64;
 
 /// Of the random scenes that no ball solves, one in this many is labelled.
 const UNSOLVED: u32 = 6;
 
-/// Lines that are written together.
+/// Lines written together.
 const BLOCK: usize = 100;
 
 /// The default file of labelled balls.
@@ -51,26 +51,26 @@ pub enum Scenes {
     Tasks,
     /// Up to this many unlisted tasks of each template. Balls are sampled around the solutions of its tasks.
     Unlisted(usize),
-    /// Random scenes: those of the first N that some ball solves, and a sixth of the others. Balls are sampled around
-    /// those that solve.
+    /// Random scenes: of the first N, all that some ball solves and a sixth of the rest. Balls are sampled around those
+    /// that solve.
     Random(u32),
 }
 
-/// What to label, and where it is kept.
+/// What to label, and where to write it.
 pub struct Settings {
-    /// File to write, or to continue.
+    /// File to write or continue.
     pub out: PathBuf,
     /// Solutions to sample balls around.
     pub solutions: PathBuf,
-    /// Every scene tries 64 balls per round.
+    /// Number of rounds; each tries 64 balls per scene.
     pub rounds: usize,
     pub selection: TaskSelection,
     pub scenes: Scenes,
-    /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
-    /// round takes the next 64. The net has learned from tasks of `training_tasks_of`, or from random scenes alone; for
-    /// balls in random scenes, from these alone.
+    /// Label the balls that the dynamics net in this file proposes, likeliest first, instead of sampled ones; each
+    /// round takes the next 64. The net must have been trained on tasks of `training_tasks_of` or on random scenes
+    /// alone; to label random scenes, on random scenes alone.
     pub weights: Option<PathBuf>,
-    /// Use only the training tasks of this fold: only they are labelled, and only their solutions are sampled around.
+    /// Label only the training tasks of this fold, and sample only around their solutions.
     pub training_tasks_of: Option<FoldId>,
     /// Seed of all random draws.
     pub seed: u64,
@@ -92,12 +92,12 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Labels, or continues with it.
+    /// Starts or continues labelling.
     ///
     /// # Errors
     /// If the data or the weights cannot be used, or the file cannot be continued or written.
     pub fn label(&self, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        // Test tasks must not steer where balls are sampled, so their solutions are left out too.
+        // Test tasks must not influence where balls are sampled, so their solutions are left out too.
         let allowed = self.training_tasks_of.map(|fold| fold.tasks().all_train());
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
         let tasks: Vec<TaskId> = self.selection.ids().filter(|&id| allows(id)).collect();
@@ -114,7 +114,7 @@ impl Settings {
             Scenes::Random(count) => (0..count).map(SceneId::Random).collect(),
         };
         let with_solutions = !matches!(self.scenes, Scenes::Random(_));
-        // Who learns from random scenes alone must not learn from tasks through the balls there.
+        // A net trained on random scenes alone must not learn about tasks through the balls proposed there.
         let fold = self.training_tasks_of.filter(|_| with_solutions);
         let proposing = self.weights.as_deref().map(|path| proposing_nets(path, fold)).transpose()?;
         let (nets, card) = proposing.unzip();
@@ -140,13 +140,13 @@ impl Settings {
         for (line, scene) in lines.iter().zip(scenes.iter().cycle()) {
             ensure!(
                 line.scene == *scene,
-                "{} has balls of {} where those of {scene} belong: remove the file",
+                "{} has balls of {} where balls of {scene} are expected: remove the file",
                 self.out.display(),
                 line.scene,
             );
         }
         let (out, rounds) = (self.out.display(), self.rounds);
-        ensure!(lines.len() <= total, "{out} holds more rounds than {rounds}: ask for more, or name another file");
+        ensure!(lines.len() <= total, "{out} holds more rounds than {rounds}: raise --rounds, or name another file");
         let mut done = lines.len();
         let mut balls: usize = lines.iter().map(LabelledBalls::count).sum();
         progress.begin(total as u64);
@@ -171,7 +171,7 @@ impl Settings {
     }
 }
 
-/// Returns nets with their dynamics net, and the card of this. It has learned from tasks of the fold, or from random
+/// Loads nets that include a dynamics net, and the card of that net, which was trained on tasks of `fold` or on random
 /// scenes alone.
 fn proposing_nets(path: &Path, fold: Option<FoldId>) -> anyhow::Result<(PathNet, DynamicsCard)> {
     let name = path.display();
