@@ -183,7 +183,7 @@ mod tests {
         for digest in ["A".repeat(16), line().digest[1..].to_string(), "g".repeat(16), "é".repeat(8)] {
             let verdict = AttemptLine { digest, ..line() }.verify();
             assert!(
-                matches!(&verdict, Verdict::NotValid { reason, .. } if reason.contains("16 hexadecimal digits")),
+                matches!(&verdict, Verdict::NotValid { reason, .. } if reason.contains("16 lowercase hexadecimal digits")),
                 "{verdict:?}"
             );
         }

@@ -19,6 +19,7 @@ import { loadText } from "./text/text.ts";
 import { keepingFocus } from "./view/focus.ts";
 import { description } from "./view/news.ts";
 import { page } from "./view/page.ts";
+import { thumbnailsPainted } from "./simulator.ts";
 import models from "../assets/model.json";
 import type { Kept } from "./core/change/kept.ts";
 import type { Language } from "./text/language.ts";
@@ -125,6 +126,9 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
       app.parts = parts;
       schedule();
     }
+    // On few cores, they and the model would hold each other up.
+    await new Promise(requestAnimationFrame);
+    await thumbnailsPainted();
     store.change(startModel);
   }
 

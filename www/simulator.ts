@@ -150,6 +150,11 @@ function paintNext(deadline?: IdleDeadline): void {
   if (unpainted.length > 0) later(paintNext);
 }
 
+/** Waits until all small pictures are painted. */
+export async function thumbnailsPainted(): Promise<void> {
+  while (unpainted.length > 0) await new Promise<void>((resolve) => later(() => resolve()));
+}
+
 const known = new Map<Setup, Benchmark>();
 
 /** Facts about the benchmark's tasks, and which are new to the model of a setup. */

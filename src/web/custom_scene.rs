@@ -73,5 +73,5 @@ pub fn paint_edited_scene(
     let scene = custom.to_scene();
     let mut view: View = from_js(view)?;
     view.valid = view.ball.is_none_or(|ball| ball.check(&scene).is_ok());
-    frame::paint(context, &scene, &[], &view, &maps)
+    frame::paint(context, &scene, None, &[], &view, &maps)
 }

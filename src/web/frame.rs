@@ -13,6 +13,7 @@ use super::imagined::{Hint, Imagined};
 use super::marks::NAME_HEIGHT;
 use super::paint::{Line, Painter, bounding_radius};
 use super::puzzle::{JsPuzzle, load};
+use super::static_layer::StaticLayer;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{GOAL_STEPS, Pose, Rollout};
 use crate::puzzle::scene::{Role, Scene};
@@ -79,21 +80,23 @@ impl Recording {
 /// Draws the scene of a puzzle to fill a square canvas.
 #[wasm_bindgen(js_name = paintThumbnail)]
 pub fn paint_thumbnail(context: &CanvasRenderingContext2d, puzzle: JsPuzzle, dark: bool) -> Result<(), JsValue> {
-    paint(context, &load(&puzzle)?.scene, &[], &View { dark, ..View::default() }, &[])
+    paint(context, &load(&puzzle)?.scene, None, &[], &View { dark, ..View::default() }, &[])
 }
 
 /// Draws a frame: the first of `recordings` with its bodies, and any further ones as outlines over it. The context
-/// keeps its settings, so the caller can draw more, in units of the canvas.
+/// keeps its settings, so the caller can draw more, in units of the canvas. `layer` has the static bodies of a scene
+/// that is painted again and again.
 pub(crate) fn paint(
     context: &CanvasRenderingContext2d,
     scene: &Scene,
+    layer: Option<&StaticLayer>,
     recordings: &[Recording],
     view: &View,
     maps: &[HtmlCanvasElement],
 ) -> Result<(), JsValue> {
     context.save();
     let painted = Painter::new(context, view.dark)
-        .and_then(|painter| Frame { painter: &painter, scene, recordings, view }.paint(maps));
+        .and_then(|painter| Frame { painter: &painter, scene, layer, recordings, view }.paint(maps));
     context.restore();
     painted
 }
@@ -101,25 +104,31 @@ pub(crate) fn paint(
 struct Frame<'a> {
     painter: &'a Painter<'a>,
     scene: &'a Scene,
+    layer: Option<&'a StaticLayer>,
     recordings: &'a [Recording],
     view: &'a View,
 }
 
 impl Frame<'_> {
     fn paint(&self, maps: &[HtmlCanvasElement]) -> Result<(), JsValue> {
-        let &Frame { painter, scene, recordings, view } = self;
+        let &Frame { painter, scene, layer, recordings, view } = self;
+        painter.background();
         let ball = scene.bodies.len();
         // Over a rollout, ribbons and ghosts would hide what really happens.
         let placing = view.imagined.as_ref().filter(|_| recordings.is_empty());
         if let Some(imagined) = placing {
             painter.ribbons(scene, imagined)?;
         }
-        self.bodies(false)?;
+        let statics = || match layer {
+            Some(layer) => layer.draw(painter, scene),
+            None => painter.bodies(scene, false, |_| None),
+        };
+        statics()?;
         for map in maps {
             painter.overlay(map, view.opacity)?;
         }
         if !maps.is_empty() {
-            painter.faded(STATIC_OPACITY, || self.bodies(false))?;
+            painter.faded(STATIC_OPACITY, statics)?;
         }
         view.hints.iter().try_for_each(|hint| painter.hint(scene, hint))?;
         if let Some(imagined) = &view.imagined {
@@ -133,7 +142,8 @@ impl Frame<'_> {
             }
             paths.iter().try_for_each(|&(body, role)| painter.path(recording.path(until, body), role, Line::Solid))?;
         }
-        self.bodies(true)?;
+        let first = recordings.first();
+        painter.bodies(scene, true, |index| first.and_then(|first| first.pose(view.step, index)))?;
         for (index, recording) in recordings.iter().enumerate() {
             self.ball(recording, index > 0)?;
         }
@@ -170,15 +180,6 @@ impl Frame<'_> {
             }
             (None, None) => Ok(()),
         }
-    }
-
-    /// Draws the static or the dynamic bodies, at their poses in the first rollout.
-    fn bodies(&self, dynamic: bool) -> Result<(), JsValue> {
-        let mut bodies = self.scene.bodies.iter().enumerate().filter(|(_, body)| body.dynamic == dynamic);
-        bodies.try_for_each(|(index, body)| {
-            let pose = self.recordings.first().and_then(|first| first.pose(self.view.step, index));
-            self.painter.body(body, pose, index == self.scene.body2)
-        })
     }
 
     /// Draws the ball of a rollout. Over the first rollout, draws only its outline, with the bodies that lie elsewhere

@@ -29,6 +29,7 @@ mod paint;
 mod puzzle;
 mod scripting;
 mod search;
+mod static_layer;
 
 pub use benchmark::{auccess, difficulty, fold, soft_iou, solve_rates, templates};
 pub use constants::constants;

@@ -16,6 +16,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use super::data::{Typed, TypedPaths, from_js, to_js};
 use super::frame::{self, Recording};
 use super::puzzle::{JsBallOrNull, JsPuzzle, ball_from, invalid_ball, load};
+use super::static_layer::StaticLayer;
 use crate::puzzle::action::{Ball, Invalid, Obstacles};
 use crate::puzzle::nearest_place::nearest_place;
 use crate::puzzle::rollout::Rollout;
@@ -39,6 +40,7 @@ pub struct OpenPuzzle {
     puzzle: Puzzle,
     /// The cached rollouts, latest last.
     kept: RefCell<Vec<(Option<Ball>, Rc<Rollout>)>>,
+    layer: StaticLayer,
 }
 
 #[wasm_bindgen]
@@ -46,7 +48,7 @@ impl OpenPuzzle {
     /// Opens a task by its id, or a custom scene.
     #[wasm_bindgen(constructor)]
     pub fn new(puzzle: JsPuzzle) -> Result<OpenPuzzle, JsValue> {
-        Ok(OpenPuzzle { puzzle: load(&puzzle)?, kept: RefCell::default() })
+        Ok(OpenPuzzle { puzzle: load(&puzzle)?, kept: RefCell::default(), layer: StaticLayer::default() })
     }
 
     /// Returns a description of the puzzle.
@@ -145,7 +147,7 @@ impl OpenPuzzle {
         let recording =
             |ShownRollout { ball, of_model }| Ok(Recording { ball, rollout: self.simulated(ball)?, of_model });
         let recordings = shown.into_iter().map(recording).collect::<Result<Vec<_>, JsValue>>()?;
-        frame::paint(context, &self.puzzle.scene, &recordings, &from_js(view)?, &maps)
+        frame::paint(context, &self.puzzle.scene, Some(&self.layer), &recordings, &from_js(view)?, &maps)
     }
 }
 

@@ -12,7 +12,7 @@ use super::error::{Code, error};
 use crate::colour::palette::{Palette, palette};
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Pose;
-use crate::puzzle::scene::{Body, Role, SIZE, Shape};
+use crate::puzzle::scene::{Body, Role, SIZE, Scene, Shape};
 
 /// Distance between the lines of a hatched goal, and their width, px.
 const HATCH_SPACING: f64 = 4.5;
@@ -31,6 +31,7 @@ const MIN_PATH_PIXELS: f64 = 1.2;
 pub(crate) struct Painter<'a> {
     pub(super) context: &'a CanvasRenderingContext2d,
     pub(super) palette: &'static Palette,
+    pub(super) dark: bool,
     /// Canvas pixels per px of the scene.
     pub(super) scale: f64,
 }
@@ -47,19 +48,37 @@ pub(crate) enum Line {
 }
 
 impl<'a> Painter<'a> {
-    /// Fills the whole canvas with the background colour and sets the scene's units.
+    /// Sets the scene's units and the style of lines.
     pub(crate) fn new(context: &'a CanvasRenderingContext2d, dark: bool) -> Result<Painter<'a>, JsValue> {
         let canvas = context.canvas().ok_or_else(|| error(Code::BadData, "the context has no canvas"))?;
-        let side = f64::from(canvas.width());
-        let painter = Painter { context, palette: palette(dark), scale: side / SIZE };
-        context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
-        context.set_global_alpha(1.0);
-        context.set_fill_style_str(painter.palette.paper);
-        context.fill_rect(0.0, 0.0, side, f64::from(canvas.height()));
+        let painter = Painter { context, palette: palette(dark), dark, scale: f64::from(canvas.width()) / SIZE };
         painter.set_scene_units()?;
+        context.set_global_alpha(1.0);
         context.set_line_join("round");
         context.set_line_cap("round");
         Ok(painter)
+    }
+
+    /// Returns the side of the canvas, pixels.
+    pub(super) fn side(&self) -> f64 {
+        self.scale * SIZE
+    }
+
+    /// Fills the scene with the background colour.
+    pub(crate) fn background(&self) {
+        self.context.set_fill_style_str(self.palette.paper);
+        self.context.fill_rect(0.0, 0.0, SIZE, SIZE);
+    }
+
+    /// Draws the static or the dynamic bodies, at their poses or, where there is none, as in the scene.
+    pub(crate) fn bodies(
+        &self,
+        scene: &Scene,
+        dynamic: bool,
+        pose: impl Fn(usize) -> Option<Pose>,
+    ) -> Result<(), JsValue> {
+        let mut bodies = scene.bodies.iter().enumerate().filter(|(_, body)| body.dynamic == dynamic);
+        bodies.try_for_each(|(index, body)| self.body(body, pose(index), index == scene.body2))
     }
 
     /// Draws a body in the colour of its role, at a pose or at its pose in the scene. A goal is hatched, the green
@@ -139,18 +158,18 @@ impl<'a> Painter<'a> {
         Ok(())
     }
 
-    /// Draws the canvas of a map over the whole scene.
-    pub(crate) fn overlay(&self, map: &HtmlCanvasElement, opacity: f64) -> Result<(), JsValue> {
-        let side = self.scale * SIZE;
+    /// Draws a picture over the whole scene.
+    pub(crate) fn overlay(&self, picture: &HtmlCanvasElement, opacity: f64) -> Result<(), JsValue> {
+        let side = self.side();
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         self.faded(opacity, || {
-            self.context.draw_image_with_html_canvas_element_and_dw_and_dh(map, 0.0, 0.0, side, side)
+            self.context.draw_image_with_html_canvas_element_and_dw_and_dh(picture, 0.0, 0.0, side, side)
         })?;
         self.set_scene_units()
     }
 
     pub(super) fn set_scene_units(&self) -> Result<(), JsValue> {
-        self.context.set_transform(self.scale, 0.0, 0.0, -self.scale, 0.0, self.scale * SIZE)
+        self.context.set_transform(self.scale, 0.0, 0.0, -self.scale, 0.0, self.side())
     }
 
     /// Draws at an opacity, 0..=1.

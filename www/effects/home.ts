@@ -1,4 +1,4 @@
-// Loads the recording for the home page.
+// Loads the recording for the home page, and begins its show.
 
 import { setRecorded } from "../core/change/home.ts";
 import { answered } from "../core/change/model.ts";
@@ -7,18 +7,38 @@ import type { State } from "../core/state.ts";
 import type { Effect } from "../core/store.ts";
 import type { Recorded } from "../core/change/home.ts";
 
-/** The page works without the recording, so a failure is not reported; the next visit tries again. */
-export function recordedEffect(url: string): Effect<State> {
-  return {
-    needs: (state) => (isHome(state) ? [state.puzzle] : null),
+/** Maximum time for which the show waits for the model to load, ms: on few cores the two would hold each other up. */
+const PATIENCE = 2000;
+
+export function homeEffects(url: string): Effect<State>[] {
+  // The page works without the recording, so a failure is not reported; the next visit tries again.
+  const recording: Effect<State> = {
+    needs: (state) => (isHome(state) && !state.recorded ? [state.puzzle] : null),
     async run(store) {
-      const { puzzle } = store.state;
-      const recorded = store.state.recorded ?? (await read(url));
-      if (!recorded) return;
-      store.change(setRecorded, recorded);
-      if (recorded.scene.task === puzzle.source) store.change(answered, puzzle.key, { futures: recorded.scene });
+      const recorded = await read(url);
+      if (recorded) store.change(setRecorded, recorded);
     },
   };
+
+  const show: Effect<State> = {
+    needs: (state) =>
+      isHome(state) && state.recorded?.scene.task === state.puzzle.source ? [state.puzzle, isSettled(state)] : null,
+    async run(store, signal) {
+      const { puzzle, recorded } = store.state;
+      if (!isSettled(store.state))
+        await new Promise((resolve) => {
+          setTimeout(resolve, PATIENCE);
+          signal.addEventListener("abort", resolve);
+        });
+      if (!signal.aborted) store.change(answered, puzzle.key, { futures: recorded!.scene });
+    },
+  };
+
+  return [recording, show];
+}
+
+function isSettled({ model }: State): boolean {
+  return model.kind === "ready" || model.kind === "failed";
 }
 
 async function read(url: string): Promise<Recorded | null> {

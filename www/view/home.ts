@@ -42,7 +42,7 @@ export function picks({ store }: App): View {
     const make = PANELS.find((panel) => String(panel) === "make");
     const facts = (task: string) => text.home.facts(nameOf(state, task), difficulty(rateOf(task)));
     return html`<ul class="picks">
-      ${pick(state, daily, text.home.day, `${text.home.date(device.day)}: ${facts(daily)}`)}
+      ${pick(state, daily, text.home.day, facts(daily))}
       ${unsolved ? pick(state, unsolved, text.home.unsolved, text.home.canYou(facts(unsolved))) : nothing}
       ${make ? pick(state, EMPTIEST, text.home.make, text.home.makeHint, writeAddress({ ...START, task: EMPTIEST, panel: make })) : nothing}
     </ul>`;

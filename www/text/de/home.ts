@@ -16,7 +16,7 @@ export const home: Text["home"] = {
   play: "Animation abspielen",
   pause: "Animation anhalten",
 
-  waiting: "Gleich stellt sich das Modell dieses Rätsel vor. Du kannst schon spielen: Klick oder tipp ins Bild.",
+  waiting: "Du kannst schon spielen: Klick oder tipp ins Bild.",
   imagine: (futures) => `Das Modell stellt sich ${futures} Bahnen vor …`,
   pick: (chance) => `… und wählt eine: Es ist sich zu ${percent(chance)} sicher.`,
   real: "Jetzt fällt seine Kugel wirklich.",
@@ -24,8 +24,6 @@ export const home: Text["home"] = {
     `${solved ? "Gelöst" : "Verfehlt"}: Seine Vermutung lag um ${balls(off, radius)} daneben. Du bist dran: Klick oder tipp ins Bild.`,
 
   day: "Rätsel des Tages",
-  date: (day) =>
-    new Intl.DateTimeFormat("de", { day: "numeric", month: "long", timeZone: "UTC" }).format(day * 86_400_000),
   unsolved: "Das hat das Modell nie gelöst",
   canYou: (facts) => `Schaffst du es? ${facts}`,
   make: "Bau dein eigenes Rätsel",
@@ -33,7 +31,7 @@ export const home: Text["home"] = {
   facts: (puzzle, difficulty) => `${puzzle}, ${LEVELS[difficulty]}`,
   howHard: (difficulty, rate) =>
     `${LEVELS[difficulty].charAt(0).toUpperCase()}${LEVELS[difficulty].slice(1)}: ` +
-    (rate > 0.002 ? `1 von ${number(Math.round(1 / rate))} Kugeln löst es.` : "Weniger als 1 von 500 Kugeln löst es."),
+    (rate > 0.002 ? `1 von ${Math.round(1 / rate)} Kugeln löst es.` : "Weniger als 1 von 500 Kugeln löst es."),
 
   kinds: (count) => `${count} Arten, jede mit einem Rätsel, das für das Modell neu ist`,
   number: "Oder nach Nummer:",

@@ -15,7 +15,7 @@ export const home = {
   play: "Play the animation",
   pause: "Pause the animation",
 
-  waiting: "The model is about to imagine this puzzle. You can play already: click or tap in the picture.",
+  waiting: "You can play already: click or tap in the picture.",
   imagine: (futures: number) => `It imagines ${futures} futures …`,
   pick: (chance: number) => `… and picks one: ${percent(chance)} sure.`,
   real: "Now its ball really drops.",
@@ -23,8 +23,6 @@ export const home = {
     `${solved ? "Solved" : "Missed"}: its guess was ${balls(off, radius)} off. Your turn: click or tap in the picture.`,
 
   day: "Puzzle of the day",
-  date: (day: number) =>
-    new Intl.DateTimeFormat("en-GB", { day: "numeric", month: "long", timeZone: "UTC" }).format(day * 86_400_000),
   unsolved: "The model never solved this",
   canYou: (facts: string) => `Can you? ${facts}`,
   make: "Make your own",
@@ -32,7 +30,7 @@ export const home = {
   facts: (puzzle: string, difficulty: Difficulty) => `${puzzle}, ${LEVELS[difficulty]}`,
   howHard: (difficulty: Difficulty, rate: number) =>
     `${difficulty.charAt(0).toUpperCase()}${LEVELS[difficulty].slice(1)}: ` +
-    (rate > 0.002 ? `1 ball in ${number(Math.round(1 / rate))} solves it.` : "fewer than 1 ball in 500 solve it."),
+    (rate > 0.002 ? `1 ball in ${Math.round(1 / rate)} solves it.` : "fewer than 1 ball in 500 solve it."),
 
   kinds: (count: number) => `${count} kinds, each with a puzzle that is new to the model`,
   number: "Or by number:",
