@@ -41,11 +41,8 @@ BUNDLE := scripts/install-tools js-tools && node scripts/build-page.mjs
 .DELETE_ON_ERROR:
 .PHONY: play dev check test bench build python package dist timings pictures film clean
 
-play: $(PACKAGE)
-	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
-	@cargo build --release --workspace --bin pathlight-serve
-	@$(BUNDLE)
-	@target/release/pathlight-serve --port $(PORT) --dir target/page
+play:
+	@PORT=$(PORT) scripts/play
 
 dev: $(PACKAGE)
 	@scripts/install-tools js-tools

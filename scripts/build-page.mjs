@@ -26,9 +26,12 @@ const COPIES = [
   ["www/exhibits/learns.html", "learns.html"],
   ["www/exhibits/results.html", "results.html"],
 ];
+/** `make play` first builds the page without the model. */
+const hasModel = existsSync(join(ROOT, "www/pkg/worker"));
 const BUILT = [
-  ["www/pkg/page/pathlight_bg.wasm", "pkg/page/pathlight_bg.wasm"],
-  ["www/pkg/worker/pathlight_bg.wasm", "pkg/worker/pathlight_bg.wasm"],
+  ...(hasModel ? ["page", "worker"] : ["page"])
+    .map((side) => `pkg/${side}/pathlight_bg.wasm`)
+    .map((path) => [`www/${path}`, path]),
   ["www/pkg/licences.txt", "licences.txt"],
   ["CITATION.cff", "CITATION.cff"],
   ...["home.json", "results.json", ...models.models.map(({ file }) => file)].map((file) => [
@@ -39,9 +42,8 @@ const BUILT = [
 /** Bundled separately: no page loads two of them, and a shared chunk would be one more file to wait for. */
 const ENTRIES = [
   "main.ts",
-  "element.ts",
-  "model/worker.ts",
-  ...["learns.ts", "learns-worker.ts", "results.ts"].map((name) => `exhibits/${name}`),
+  ...(hasModel ? ["element.ts", "model/worker.ts"] : []),
+  ...(hasModel ? ["learns.ts", "learns-worker.ts", "results.ts"].map((name) => `exhibits/${name}`) : []),
 ];
 /** Brotli's quality for large files, which load later: the best takes 40 times as long and saves 13 % of the wasm. */
 const QUALITY = 5;

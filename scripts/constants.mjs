@@ -9,7 +9,7 @@ import { pathToFileURL } from "node:url";
 
 const folder = resolve(process.argv[2]);
 const module = await import(pathToFileURL(join(folder, "pathlight.js")).href);
-/** @type {typeof import("../www/pkg/worker/pathlight.js")} */
+/** @type {typeof import("../www/pkg/page/pathlight.js")} */
 const { constants, fold, initSync, sceneLimits, templates } = module;
 
 initSync({ module: readFileSync(join(folder, "pathlight_bg.wasm")) });
