@@ -1,6 +1,5 @@
 // ESLint's rules for the page, its tests and the benches' pages: the recommended rules, and others that have found
-// bugs.
-// The file is next to the packages that it imports; `scripts/lint-js` passes it to ESLint.
+// bugs. The file is next to the packages that it imports; `scripts/lint-js` passes it to ESLint.
 
 import js from "@eslint/js";
 import globals from "globals";
