@@ -158,7 +158,7 @@ export async function start(base) {
     const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
     return (await import(address)).start(document.baseURI);
   });
-  assert.match(why, /^no_wasm: .*say where, by load\(\{ base: /);
+  assert.match(why, /^no_wasm: .*name its folder with load\(\{ base: /);
   assert.equal(count, 1);
   await page.getByRole("button", { name: "Drop it" }).waitFor();
   await page.close();

@@ -13,8 +13,8 @@ const HEIGHT = 630;
 const MARGIN = 36;
 const SIDE = HEIGHT - 2 * MARGIN;
 const FONT = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", "Liberation Sans", sans-serif';
-/** Timeout, ms: some browsers never answer. */
-const PATIENCE = 4000;
+/** Timeout, ms: some browsers never answer, and Chromium may wait ten seconds for an idle moment. */
+const PATIENCE = 12_000;
 
 export async function cardOf(state: State, patience = PATIENCE): Promise<Card> {
   const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
