@@ -64,6 +64,18 @@ export async function memoryOf(page) {
   };
 }
 
+/** Returns the number of objects of a page, after a collection. */
+export async function objectsOf(page) {
+  const session = await page.context().newCDPSession(page);
+  const { result } = await session.send("Runtime.evaluate", { expression: "Object.prototype" });
+  // It collects garbage first.
+  const { objects } = await session.send("Runtime.queryObjects", { prototypeObjectId: result.objectId });
+  const functionDeclaration = "function () { return this.length; }";
+  const count = await session.send("Runtime.callFunctionOn", { functionDeclaration, objectId: objects.objectId });
+  await session.detach();
+  return count.result.value;
+}
+
 /** Opens some puzzles of all kinds, from the one at a place on, and waits until each is imagined. */
 export async function openPuzzles(page, count, from = 0) {
   await loadSimulator();

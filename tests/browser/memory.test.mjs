@@ -1,9 +1,9 @@
-// Puzzles that are opened and duels that are played leave nothing behind: heap, wasm and nodes stay as they are.
+// Opened puzzles, played duels and removed elements leave nothing behind: heap, objects, wasm and nodes stay as they are.
 // memory.mjs measures a thousand puzzles and a hundred duels.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { memoryOf, openMeasured, openPuzzles, playDuels } from "./memory.mjs";
+import { memoryOf, objectsOf, openMeasured, openPuzzles, playDuels } from "./memory.mjs";
 import { EASY, modelIsThere, startPlayer } from "./player.mjs";
 
 let session;
@@ -36,4 +36,26 @@ test("rounds of ten puzzles and four duels", async () => {
     seen.push(await memoryOf(page));
   }
   assert.ok(seen.at(-1).nodes - seen[0].nodes < 100, JSON.stringify(seen));
+});
+
+test("elements that are removed leave no object behind", async () => {
+  const page = await openMeasured(
+    session,
+    "article",
+    '<!doctype html><script type="module" src="element.js"></script>',
+  );
+  const rounds = async (count) => {
+    for (let round = 0; round < count; round++) {
+      await page.evaluate((task) => {
+        document.body.append(Object.assign(document.createElement("pathlight-puzzle"), { task }));
+      }, EASY);
+      await modelIsThere(page);
+      await page.evaluate(() => document.querySelector("pathlight-puzzle").remove());
+    }
+    return objectsOf(page);
+  };
+  const before = await rounds(3);
+  const after = await rounds(10);
+  // An element has hundreds of objects.
+  assert.ok(after - before < 100, `${before} objects, then ${after}`);
 });
