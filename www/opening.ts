@@ -11,7 +11,7 @@ import { canGoOn } from "./core/derived/hidden.ts";
 import { isHome } from "./core/derived/home.ts";
 import { FIRST_TASK, neighbour, nextTask } from "./core/derived/next.ts";
 import { namedProblem } from "./core/derived/bodies.ts";
-import { readSceneText, textOfScene } from "./core/scene-link.ts";
+import { readSceneText, textOfScene } from "./core/scene-text.ts";
 import { benchmark, openPuzzle, problemsOf } from "./simulator.ts";
 import type { BadScene } from "./core/change/settings.ts";
 import type { Kept } from "./core/change/kept.ts";

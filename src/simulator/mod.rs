@@ -14,7 +14,7 @@ use crate::puzzle::scene::Scene;
 use box2d::World;
 
 pub use closest_approach::{ClosestApproach, closest_approach};
-pub use contacts::ContactEvent;
+pub use contact_events::ContactEvent;
 pub use engine::{Engine, UnknownEngine};
 pub use first_contact::{Contact, first_contact};
 pub use simulation::{Digest, Outcome, Simulation};
@@ -22,7 +22,7 @@ pub use simulation::{Digest, Outcome, Simulation};
 mod box2d;
 mod closest_approach;
 pub mod constants;
-mod contacts;
+mod contact_events;
 pub mod distance;
 mod engine;
 mod first_contact;

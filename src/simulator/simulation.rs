@@ -6,7 +6,7 @@ use rapier2d::math::Vector;
 
 use super::box2d::World;
 use super::constants::BALL_TOUCH_DISTANCE;
-use super::contacts::{ContactEvent, ContactLog};
+use super::contact_events::{ContactEvent, ContactLog};
 use super::units::{metres, point_in_px};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};

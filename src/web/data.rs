@@ -1,5 +1,4 @@
-//! Conversion of data between Rust and JavaScript: plain objects with the field names of the Rust types, typed arrays,
-//! and JSON.
+//! Converts data between Rust and JavaScript: plain objects with the field names of the Rust types, typed arrays, JSON.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -55,8 +54,7 @@ pub(crate) fn json(value: &JsValue) -> Value {
     text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
 }
 
-/// Returns a whole number. It is passed as a JavaScript value, because wasm-bindgen would wrap or truncate invalid
-/// ones.
+/// Returns a whole number. It comes as a JavaScript value, because wasm-bindgen would wrap or truncate others.
 ///
 /// # Errors
 ///

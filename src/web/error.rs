@@ -1,5 +1,4 @@
-//! Errors for JavaScript: an `Error` whose message is a sentence and whose `code` is stable. Panics are reported the
-//! same way.
+//! Errors for JavaScript: an `Error` whose message is a sentence and whose `code` is stable. Panics are among them.
 
 use std::fmt::Display;
 use std::panic;

@@ -6,8 +6,7 @@
 //! JavaScript as plain objects with the field names of the Rust types, which `types.d.ts` declares, or as typed arrays.
 //!
 //! Functions that take a puzzle throw `bad_task` if the task does not exist, and `bad_scene` if the scene cannot be
-//! played. Any function throws `bad_data` for a value that does not have the declared form. The docs name only other
-//! errors.
+//! played. Any function throws `bad_data` for a value of the wrong form. The docs name only other errors.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

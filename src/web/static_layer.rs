@@ -8,37 +8,29 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use super::paint::Painter;
 use crate::puzzle::scene::Scene;
 
-/// The picture of one scene, for the canvas on which it was last drawn.
+/// The picture of one scene, with the side and the theme for which it was drawn.
 #[derive(Default)]
-pub(crate) struct StaticLayer(RefCell<Option<Picture>>);
-
-struct Picture {
-    canvas: HtmlCanvasElement,
-    side: u32,
-    dark: bool,
-}
+pub(crate) struct StaticLayer(RefCell<Option<(u32, bool, HtmlCanvasElement)>>);
 
 impl StaticLayer {
     /// Draws the static bodies of the scene, at the opacity of the context.
     pub(crate) fn draw(&self, painter: &Painter, scene: &Scene) -> Result<(), JsValue> {
-        let mut picture = self.0.borrow_mut();
         let (side, dark) = (painter.side() as u32, painter.dark);
-        if picture.as_ref().is_none_or(|picture| (picture.side, picture.dark) != (side, dark)) {
-            let canvas: HtmlCanvasElement = painter
-                .context
-                .canvas()
-                .and_then(|canvas| canvas.owner_document())
-                .ok_or("the canvas belongs to no document")?
-                .create_element("canvas")?
-                .unchecked_into();
-            canvas.set_width(side);
-            canvas.set_height(side);
-            let context = canvas.get_context("2d")?.ok_or("a canvas without a context")?;
-            let context: CanvasRenderingContext2d = context.unchecked_into();
-            Painter::new(&context, dark)?.bodies(scene, false, |_| None)?;
-            *picture = Some(Picture { canvas, side, dark });
-        }
-        let Some(Picture { canvas, .. }) = picture.as_ref() else { return Ok(()) };
-        painter.overlay(canvas, painter.context.global_alpha())
+        let kept = self.0.take().filter(|picture| (picture.0, picture.1) == (side, dark));
+        let canvas = kept.map_or_else(|| drawn(painter, scene), |(.., canvas)| Ok(canvas))?;
+        painter.overlay(&canvas, painter.context.global_alpha())?;
+        self.0.replace(Some((side, dark, canvas)));
+        Ok(())
     }
+}
+
+fn drawn(painter: &Painter, scene: &Scene) -> Result<HtmlCanvasElement, JsValue> {
+    let document = painter.context.canvas().and_then(|canvas| canvas.owner_document());
+    let canvas = document.ok_or("the canvas belongs to no document")?.create_element("canvas")?;
+    let canvas: HtmlCanvasElement = canvas.unchecked_into();
+    canvas.set_width(painter.side() as u32);
+    canvas.set_height(painter.side() as u32);
+    let context: CanvasRenderingContext2d = canvas.get_context("2d")?.ok_or("no context")?.unchecked_into();
+    Painter::new(&context, painter.dark)?.bodies(scene, false, |_| None)?;
+    Ok(canvas)
 }

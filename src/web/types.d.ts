@@ -22,11 +22,7 @@ export interface Body {
 
 /** A scene of 256 x 256 px, y up, without the walls around it. The goal: `body1` touches `body2` for three seconds;
  * both are indices into `bodies`. */
-export interface Scene {
-    body1: number;
-    body2: number;
-    bodies: Body[];
-}
+export type Scene = { body1: number; body2: number; bodies: Body[] };
 
 /** A scene that somebody has made, as it is edited, shared and stored; `scene.schema.json` is its schema. Colours
  * follow from the goal: the body `body1`, which is dynamic, touches `body2` for three seconds. */
@@ -51,14 +47,9 @@ export type CustomBody = { x: number; y: number; angle: number; dynamic: boolean
 /** A puzzle: the id of a task ("00007:008"), or a custom scene. */
 export type Puzzle = string | CustomScene;
 
-/** Why a custom scene may not be played; the sentence says what helps. */
-export interface SceneProblem {
-    /** The body that has the problem, as an index into `bodies`, and the second if it is between two. */
-    body: number | null;
-    other: number | null;
-    fault: SceneFault;
-    sentence: string;
-}
+/** Why a custom scene cannot be played: the body with the problem, as an index into `bodies`, and the second if it is
+ * between two. The sentence names the remedy. */
+export type SceneProblem = { body: number | null; other: number | null; fault: SceneFault; sentence: string };
 
 /** What is wrong with a custom scene; lengths in px. */
 export type SceneFault =
@@ -71,25 +62,19 @@ export type SceneFault =
 
 /** The limits of custom scenes: least and most, lengths in px; `max_overlap`: how deep two bodies may overlap at the
  * start if one is dynamic; `name_length`: most characters of a name. */
-export interface SceneLimits {
-    bodies: [number, number];
-    ball_radius: [number, number];
-    bar_length: [number, number];
-    bar_thickness: [number, number];
-    jar_height: [number, number];
-    stick_length: [number, number];
-    max_overlap: number;
-    name_length: number;
-}
+export type SceneLimits = { max_overlap: number; name_length: number } & Record<
+    "bodies" | "ball_radius" | "bar_length" | "bar_thickness" | "jar_height" | "stick_length",
+    [least: number, most: number]
+>;
 
 /** PHYRE's status of an attempt. */
 export type Status = "solved" | "not_solved" | "invalid";
 
 /** What a search for solutions has found so far. */
 export interface FoundSolutions {
-    /** The fraction of the balls that has been looked at, 0..1. */
+    /** The fraction of the balls that has been examined, 0..1. */
     progress: number;
-    /** Balls that may be placed, all of which were simulated, and those of them that solve. */
+    /** The valid balls so far, and those of them that solve. */
     valid: number;
     solved: number;
     /** The share of the benchmark's tasks that are harder, 0..1, by the share of valid balls that solve; those that are
@@ -101,11 +86,8 @@ export interface FoundSolutions {
     solves_itself: boolean;
 }
 
-/** Of the 27 balls within a pixel of one in x, y and radius: those that may be placed, and those of them that solve. */
-export interface Luck {
-    valid: number;
-    solved: number;
-}
+/** Of the 27 balls within a pixel of one in x, y and radius: those that are valid, and those of them that solve. */
+export type Luck = { valid: number; solved: number };
 
 /** An attempt that anyone can simulate again. Either `task` or `scene` is there. */
 export interface AttemptLine {
@@ -129,7 +111,7 @@ export type Verification =
     | { verdict: "other_outcome"; status: Status; steps: number; reason: string }
     | { verdict: "not_valid"; fault: "form" | "puzzle" | "ball"; reason: string };
 
-/** What an agent has to generalise to: new tasks of templates that it was trained on, or new templates. */
+/** What an agent must generalise to: new tasks of the templates that it was trained on, or new templates. */
 export type Setup = "within" | "cross";
 
 /** The ids of a fold's tasks. PHYRE's training tasks are `train` and `dev`, on which settings are chosen. */
@@ -145,30 +127,16 @@ export type GridMap = Float32Array;
 export type Maps = Record<Exclude<MapName, "success">, GridMap> & { success?: GridMap };
 
 /** A puzzle template and the ids of its tasks ("00007:000"). */
-export interface Template {
-    id: string;
-    name: string;
-    story: string;
-    tasks: string[];
-}
+export type Template = { id: string; name: string; story: string; tasks: string[] };
 
-/** What a puzzle is: a task has an id; a custom scene has a digest, the SHA-256 of it without its name, and perhaps a
- * name, what its maker calls it. */
-export interface About {
-    id: string | null;
-    digest: string | null;
-    name: string | null;
-    scene: Scene;
-}
+/** A task has an id; a custom scene has a digest, the SHA-256 of it without its name, and perhaps a name. */
+export type About = { id: string | null; digest: string | null; name: string | null; scene: Scene };
 
 /** Why a ball on the page is invalid; `body` is an index into the scene's bodies. */
 export type InvalidBall = { kind: "radius" | "outside" } | { kind: "overlaps"; body: number };
 
 /** One of the rollouts of a frame: the ball, null if the scene runs alone, and whose it is. */
-export interface ShownRollout {
-    ball: Ball | null;
-    of_model: boolean;
-}
+export type ShownRollout = { ball: Ball | null; of_model: boolean };
 
 /** What a ball of an open puzzle leads to. */
 export interface RolloutFacts {
@@ -206,10 +174,7 @@ export interface Rollout extends Ending {
 }
 
 /** The real paths of a rollout as masks; no `ball` if the scene ran alone. */
-export interface PathMasks {
-    object: GridMap;
-    ball?: GridMap;
-}
+export type PathMasks = { object: GridMap; ball?: GridMap };
 
 /** Where a proposed ball comes from: what the dynamics net imagines (the probability before any attempt and now, and
  * the attempt, from 1, that lowered it most), the success net, a cell of the placement map (px), an earlier proposal
@@ -221,13 +186,8 @@ export type Origin =
     | { kind: "perturbed"; number: number }
     | { kind: "uniform" };
 
-/** A ball that the model would try. */
-export interface Proposal {
-    ball: Ball;
-    origin: Origin;
-    /** Candidates before it that are invalid or had been proposed. */
-    rejected: number;
-}
+/** A ball that the model would try; `rejected`: candidates before it that are invalid or had been proposed. */
+export type Proposal = { ball: Ball; origin: Origin; rejected: number };
 
 /** What the dynamics net imagines for a ball. */
 export interface ImaginedBall {
@@ -251,16 +211,13 @@ export interface TriedProposal extends Proposal {
 
 /** The remembered puzzle that changed the chance of a ball most. */
 export interface Reminder {
-    /** Its number in the memory, from 1. */
+    /** Its number in the memory, from 1, and its id, unless it is a custom scene. */
     puzzle: number;
-    /** Absent for a custom scene. */
     task?: string;
-    /** By how much its attempts changed the logit of the ball. */
+    /** The change of the ball's logit, the attempt that changed it most, and whether its scene is mirrored. */
     change: number;
-    /** The ball that changed it most, as it was tried there, and whether it solved. */
     ball: Ball;
     solved: boolean;
-    /** Whether the scene is like that of the puzzle mirrored. */
     mirrored: boolean;
 }
 
@@ -274,36 +231,21 @@ export interface RememberedPuzzle {
     attempts: { ball: Ball; chance: number; solved: boolean }[];
 }
 
-/** A ball that the model considers before it chooses one. */
-export interface Candidate {
-    ball: Ball;
-    /** The probability that it solves, as the dynamics net imagines it; 0..1. */
-    probability: number;
-    /** The imagined path of the green object, as in `ImaginedBall`. */
-    object: Float32Array;
-}
+/** A ball that the model considers before it chooses one; probability and path as in `ImaginedBall`. */
+export type Candidate = { ball: Ball } & Pick<ImaginedBall, "probability" | "object">;
 
 /** How weights were trained. */
-export interface ModelCard extends Training {
+export interface ModelCard
+    extends Training, Record<"fold" | "decay_epochs" | "samples" | "tasks" | "simulator", number> {
     setup: Setup;
-    fold: number;
-    decay_epochs: number;
     mirror: boolean;
     without_dev: boolean;
-    samples: number;
-    tasks: number;
-    simulator: number;
     success?: SuccessCard;
     dynamics?: DynamicsCard;
 }
 
 /** The settings that the training of all nets has. */
-export interface Training {
-    seed: number;
-    epochs: number;
-    batch: number;
-    learning_rate: number;
-}
+export type Training = Record<"seed" | "epochs" | "batch" | "learning_rate", number>;
 
 /** How the success net of weights was trained. */
 export interface SuccessCard extends Training {
@@ -314,17 +256,14 @@ export interface SuccessCard extends Training {
 }
 
 /** How the dynamics net of weights was trained. */
-export interface DynamicsCard extends SuccessCard {
+export interface DynamicsCard extends SuccessCard, Partial<Record<"blends" | "unlisted" | "random_scenes", number>> {
     imagined_per_scene: number;
     /** How much paths count in the loss, if not as by default; `solving`: those of balls that solve, to others. */
     path_weights?: { all: number; solving: number };
     /** The net sees the covered share of each cell. */
     coverage: boolean;
-    /** Of the scenes: variants of tasks, blends of two, tasks that the benchmark does not list, and no tasks. */
+    /** Of the scenes: variants of tasks. Others are blends of two, unlisted tasks, or random. */
     variants: number;
-    blends?: number;
-    unlisted?: number;
-    random_scenes?: number;
     /** It has seen random scenes alone, and no task. */
     random_scenes_alone?: boolean;
     without_dev: boolean;
@@ -364,34 +303,25 @@ export interface View {
     names?: string[];
 }
 
-/** The moment at which the green object was nearest to its goal. */
-export interface ClosestApproach {
+/** The moment at which the green object was nearest to its goal: the distance of their surfaces, px (0 if they overlap),
+ * and its two ends. */
+export type ClosestApproach = {
     step: number;
-    /** Distance of their surfaces, px; 0 if they overlap. */
     gap: number;
-    /** The points of the object and of the goal that were so near, px. */
     points: [object: [x: number, y: number], goal: [x: number, y: number]];
-}
+};
 
 /** A contact of the ball with the green object: when, and where, px. */
-export interface Contact {
-    step: number;
-    point: [x: number, y: number];
-}
+export type Contact = { step: number; point: [x: number, y: number] };
 
-/** How hard a task is: how many uniform valid balls were tried on it, and the share of them, 0..1, that solved it. */
-export interface Difficulty {
-    balls: number;
-    solve_rate: number;
-}
+/** How hard a task is: the number of uniform valid balls that were tried on it, and the share of them that solved it. */
+export type Difficulty = { balls: number; solve_rate: number };
 
-/** Why an export throws: no such task; a custom scene that may not be played; no such map, or one of another size;
- * weights of other nets; a memory that is damaged or of other weights; a ball that may not be placed; a value without
- * the agreed form; a defect in the Rust code, after which the wasm instance must not be used again. */
+/** Why an export throws: no such task; a custom scene that cannot be played; no such map, or one of another size; weights
+ * of other nets; a memory that is damaged or of other weights; an invalid ball; a value of the wrong form; a bug in the
+ * Rust code, after which the wasm instance must not be used again. */
 export type ErrorCode =
     "bad_task" | "bad_scene" | "bad_map" | "bad_weights" | "bad_memory" | "invalid_ball" | "bad_data" | "panic";
 
 /** What the exports throw. */
-export interface CodedError extends Error {
-    code: ErrorCode;
-}
+export type CodedError = Error & { code: ErrorCode };

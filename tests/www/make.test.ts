@@ -30,7 +30,7 @@ import {
 import { place } from "../../www/core/change/placement.ts";
 import { opened, START } from "../../www/core/change/route.ts";
 import { bodyAt, distanceTo, knobsOf, roleOf, sizeAt } from "../../www/core/derived/bodies.ts";
-import { readSceneText, textOfScene } from "../../www/core/scene-link.ts";
+import { readSceneText, textOfScene } from "../../www/core/scene-text.ts";
 import { makingKey } from "../../www/stage/keys.ts";
 import { CUSTOM, MISSING, fresh, playAt, puzzle } from "./player.ts";
 import type { Point } from "../../www/core/change/placement.ts";

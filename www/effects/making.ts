@@ -3,7 +3,7 @@
 
 import { remade } from "../core/change/make.ts";
 import { namedProblem } from "../core/derived/bodies.ts";
-import { textOfScene } from "../core/scene-link.ts";
+import { textOfScene } from "../core/scene-text.ts";
 import { openPuzzle, problemsOf } from "../simulator.ts";
 import type { BadScene } from "../core/change/settings.ts";
 import type { State } from "../core/state.ts";

@@ -1,4 +1,4 @@
-// The route: what the address names. `actions.ts` opens its puzzle.
+// The route: what a link names, and the parts of a link. `opening.ts` opens its puzzle.
 
 import { NO_ANSWERS } from "./model.ts";
 import { introOf } from "./home.ts";
@@ -22,7 +22,7 @@ export type Hideable = (typeof HIDEABLE)[number];
 export interface Route {
   /** "00007:008"; null for the home page or a custom scene. */
   readonly task: string | null;
-  /** A custom scene as text (core/scene-link.ts); null if a task is open. */
+  /** A custom scene as text (core/scene-text.ts); null if a task is open. */
   readonly scene: string | null;
   readonly panel: Panel;
   /** The maps over the scene. */
