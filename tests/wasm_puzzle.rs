@@ -44,16 +44,29 @@ fn code(error: JsValue) -> String {
     Reflect::get(&error, &"code".into()).expect("an object").as_string().expect("a code")
 }
 
-/// Returns the fields of an interface of `types.d.ts`, sorted; optional ones end in `?`.
-fn declared(interface: &str) -> Vec<String> {
-    let start = TYPES.find(&format!("interface {interface} ")).unwrap_or_else(|| panic!("no interface {interface}"));
-    let (head, rest) = TYPES[start..].split_once('{').expect("a body");
-    let body = rest.split("\n}").next().expect("its end").lines();
-    let own =
-        body.filter(|line| line.starts_with("    ") && line.ends_with(';')).filter_map(|line| line.split(':').next());
-    let bases = head.split_once("extends ").map_or("", |(_, bases)| bases);
-    let inherited = bases.split(',').map(str::trim).filter(|base| !base.is_empty()).flat_map(declared);
-    let mut fields: Vec<String> = own.map(|field| field.trim().to_string()).chain(inherited).collect();
+/// Returns the fields of a type of `types.d.ts`, sorted; optional ones end in `?`.
+fn declared(name: &str) -> Vec<String> {
+    let start = ["interface", "type"].iter().find_map(|kind| TYPES.find(&format!("export {kind} {name} ")));
+    let text =
+        TYPES[start.unwrap_or_else(|| panic!("no type {name}"))..].split("\n\n").next().expect("its declaration");
+    let is_comment = |line: &&str| ["/**", "*"].iter().any(|sign| line.trim_start().starts_with(sign));
+    let (mut head, mut body, mut depth) = (String::new(), String::new(), 0);
+    for character in text.lines().filter(|line| !is_comment(line)).flat_map(str::chars) {
+        depth -= i32::from(character == '}');
+        match depth {
+            0 => head.push(character),
+            1 => body.push(character),
+            _ => {}
+        }
+        depth += i32::from(character == '{');
+    }
+    let own = body.split(';').filter_map(|field| Some(field.split_once(':')?.0.trim().to_string()));
+    // The keys of Record and Pick.
+    let optional = if head.contains("Partial<") { "?" } else { "" };
+    let keys = head.split('"').skip(1).step_by(2).map(|key| format!("{key}{optional}"));
+    let bases = head.split_once("extends ").map_or("", |(_, bases)| bases).split([',', '{']).map(str::trim);
+    let is_name = |base: &&str| !base.is_empty() && base.chars().all(char::is_alphanumeric);
+    let mut fields: Vec<String> = own.chain(keys).chain(bases.filter(is_name).flat_map(declared)).collect();
     fields.sort_unstable();
     fields
 }

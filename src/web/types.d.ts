@@ -235,8 +235,7 @@ export interface RememberedPuzzle {
 export type Candidate = { ball: Ball } & Pick<ImaginedBall, "probability" | "object">;
 
 /** How weights were trained. */
-export interface ModelCard
-    extends Training, Record<"fold" | "decay_epochs" | "samples" | "tasks" | "simulator", number> {
+export interface ModelCard extends Training, Record<"fold" | "decay_epochs" | "samples" | "tasks" | "simulator", number> {
     setup: Setup;
     mirror: boolean;
     without_dev: boolean;
@@ -303,8 +302,8 @@ export interface View {
     names?: string[];
 }
 
-/** The moment at which the green object was nearest to its goal: the distance of their surfaces, px (0 if they overlap),
- * and its two ends. */
+/** The moment at which the green object was nearest to its goal: the gap between them, px (0 if they overlap), and its
+ * two ends. */
 export type ClosestApproach = {
     step: number;
     gap: number;
@@ -314,12 +313,12 @@ export type ClosestApproach = {
 /** A contact of the ball with the green object: when, and where, px. */
 export type Contact = { step: number; point: [x: number, y: number] };
 
-/** How hard a task is: the number of uniform valid balls that were tried on it, and the share of them that solved it. */
+/** How hard a task is: how many uniform valid balls were tried on it, and the share of them that solved it, 0..1. */
 export type Difficulty = { balls: number; solve_rate: number };
 
-/** Why an export throws: no such task; a custom scene that cannot be played; no such map, or one of another size; weights
- * of other nets; a memory that is damaged or of other weights; an invalid ball; a value of the wrong form; a bug in the
- * Rust code, after which the wasm instance must not be used again. */
+/** Why an export throws: no such task; a custom scene that cannot be played; no such map, or one of another size;
+ * weights of other nets; a memory that is damaged or of other weights; an invalid ball; a value of the wrong form; a
+ * bug in the Rust code, after which the wasm instance must not be used again. */
 export type ErrorCode =
     "bad_task" | "bad_scene" | "bad_map" | "bad_weights" | "bad_memory" | "invalid_ball" | "bad_data" | "panic";
 

@@ -86,6 +86,7 @@ test("a kind opens the puzzle that it names, and says afterwards how far one has
   assert.equal(await tiles.count(), 25);
   await page.getByRole("link", { name: /^Two Drops/ }).click();
   await heading(page, "Two Drops").waitFor();
+  await page.waitForFunction(() => scrollY === 0);
   const task = /task=([\d:]+)/.exec(page.url())?.[1] ?? "";
   const { missing } = await known(task);
   await place(page, missing[0], task);

@@ -31,6 +31,11 @@ export function headline({ store }: App): View {
     <p class="quiet">${text.home.about}</p>`;
 }
 
+/** A puzzle opens at its top. It scrolls after the click, so that going back finds the place in the list again. */
+function toTop(event?: MouseEvent): void {
+  if (!event?.ctrlKey && !event?.metaKey) setTimeout(() => scrollTo(0, 0));
+}
+
 /** Puzzles to start with, in addition to the one in the picture. */
 export function picks({ store }: App): View {
   const { state } = store;
@@ -41,7 +46,7 @@ export function picks({ store }: App): View {
     const unsolved = unsolvedTask(state);
     const make = PANELS.find((panel) => String(panel) === "make");
     const facts = (task: string) => text.home.facts(nameOf(state, task), difficulty(rateOf(task)));
-    return html`<ul class="picks">
+    return html`<ul class="picks" @click=${toTop}>
       ${pick(state, daily, text.home.day, facts(daily))}
       ${unsolved ? pick(state, unsolved, text.home.unsolved, text.home.canYou(facts(unsolved))) : nothing}
       ${make ? pick(state, EMPTIEST, text.home.make, text.home.makeHint, writeAddress({ ...START, task: EMPTIEST, panel: make })) : nothing}
@@ -79,7 +84,7 @@ export function gallery(app: App): View {
           <input class="number" size="9" placeholder="7:8" autocomplete="off" spellcheck="false" @change=${typed}
         /></label>
       </div>
-      <ul class="kinds">
+      <ul class="kinds" @click=${toTop}>
         ${kinds.map((kind) => tile(state, kind))}
       </ul>
       ${yours(app)} ${progressMenu(app)}
@@ -91,7 +96,9 @@ export function gallery(app: App): View {
 
   function typed({ target }: Event): void {
     const { value } = target as HTMLInputElement;
-    if (value.trim()) goTo(store, taskOf(value) ?? value);
+    if (!value.trim()) return;
+    goTo(store, taskOf(value) ?? value);
+    toTop();
   }
 }
 
