@@ -151,14 +151,8 @@ export interface RolloutFacts {
     paths: Pick<ImaginedBall, "object" | "ball"> | null;
 }
 
-/** How a rollout ended; lengths in steps. */
-export interface Ending {
-    solved: boolean;
-    steps: number;
-    /** The longest touch of object and goal, and the one that the rollout ended with; 0 if there was none. */
-    longest_touch: number;
-    final_touch: number;
-}
+/** How a rollout ended, the longest touch of object and goal, and the touch that it ended with; in steps. */
+export type Ending = { solved: boolean } & Record<"steps" | "longest_touch" | "final_touch", number>;
 
 /** A complete simulation, of at most 1,000 steps of 1/60 s; it ends as soon as the task is solved. */
 export interface Rollout extends Ending {
@@ -221,13 +215,12 @@ export interface Reminder {
     mirrored: boolean;
 }
 
-/** A puzzle that is remembered: a task or, as plain data, the scene of a custom one. */
+/** A remembered puzzle: a task or a custom scene, numbered from 1 (forgotten puzzles keep their numbers), and its
+ * attempts, each with the chance, 0..1, that the ball was given before. */
 export interface RememberedPuzzle {
-    /** From 1; puzzles that are forgotten keep their numbers. */
     number: number;
     task?: string;
     scene?: Scene;
-    /** Each with the chance, 0..1, that the ball was given before. */
     attempts: { ball: Ball; chance: number; solved: boolean }[];
 }
 
