@@ -42,8 +42,9 @@ const BUILT = [
 /** Bundled separately: no page loads two of them, and a shared chunk would be one more file to wait for. */
 const ENTRIES = [
   "main.ts",
-  ...(hasModel ? ["element.ts", "model/worker.ts"] : []),
-  ...(hasModel ? ["learns.ts", "learns-worker.ts", "results.ts"].map((name) => `exhibits/${name}`) : []),
+  ...(hasModel ? ["element", "model/worker", "exhibits/learns", "exhibits/learns-worker", "exhibits/results"] : []).map(
+    (name) => `${name}.ts`,
+  ),
 ];
 /** Brotli's quality for large files, which load later: the best takes 40 times as long and saves 13 % of the wasm. */
 const QUALITY = 5;
