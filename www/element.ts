@@ -16,11 +16,11 @@ import { nextTask } from "./core/derived/next.ts";
 import { LINK_PARTS, linkOf, readParts, writePart } from "./effects/address.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
-import { languageOf } from "./text/language.ts";
+import { languageOf } from "./text/languages.ts";
 import css from "./style.css";
 import type { Files } from "./app.ts";
 import type { Theme } from "./core/change/kept.ts";
-import type { Language } from "./text/language.ts";
+import type { Language } from "./text/languages.ts";
 import type { Link } from "./core/change/route.ts";
 import type { State } from "./core/state.ts";
 import type { Effect } from "./core/store.ts";
@@ -197,7 +197,7 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   #language(): Language {
-    return languageOf(this.closest("[lang]")?.getAttribute("lang") ?? navigator.language);
+    return languageOf(this.closest("[lang]")?.getAttribute("lang") ?? navigator.language) ?? "en";
   }
 
   /** The attributes that are parts of a link. */

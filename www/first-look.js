@@ -9,7 +9,7 @@
   } catch {
     // Nothing is stored, or the browser refuses access.
   }
-  root.lang = kept?.language ?? (/^de\b/i.test(navigator.language) ? "de" : "en");
+  root.lang = kept?.language ?? navigator.language;
   if (kept?.theme) root.dataset.theme = kept.theme;
   const isElsewhere = /[#&](task|scene|view)=/.test(location.hash);
   root.classList.toggle("elsewhere", isElsewhere);

@@ -1,51 +1,59 @@
 //! The maps that the nets imagine, with their names and colours. This is the only list of them; JavaScript reads it
-//! from `constants`.
+//! from `constants`, TypeScript from `NAME_TYPE`.
 
 use std::str::FromStr;
 
 use colorous::Gradient;
 
-/// A map that a net imagines.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ImaginedMap {
+macro_rules! imagined_maps {
+    ($($(#[$doc:meta])* $map:ident: $name:literal, $gradient:ident;)+) => {
+        /// A map that a net imagines.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum ImaginedMap {
+            $($(#[$doc])* $map,)+
+        }
+
+        impl ImaginedMap {
+            /// All maps, in the order in which the nets compute them.
+            pub const ALL: [ImaginedMap; [$($name),+].len()] = [$(ImaginedMap::$map),+];
+
+            /// The type of their names in TypeScript.
+            pub const NAME_TYPE: &str = concat!(
+                "/** The maps that the nets imagine, in order. */\nexport type MapName =",
+                $(" | \"", $name, "\"",)+
+                ";\n",
+            );
+
+            /// Returns the map's name in links and JSON.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(ImaginedMap::$map => $name,)+
+                }
+            }
+
+            fn gradient(self) -> Gradient {
+                match self {
+                    $(ImaginedMap::$map => colorous::$gradient,)+
+                }
+            }
+        }
+    };
+}
+
+imagined_maps! {
     /// The path of the green object without a ball.
-    Base,
+    Base: "base", BLUES;
     /// The path of the green object in a solution.
-    Target,
+    Target: "target", GREENS;
     /// The path of the red ball in a solution.
-    Action,
+    Action: "action", ORANGES;
     /// Where the red ball starts in a solution.
-    Placement,
+    Placement: "placement", RED_PURPLE;
     /// Where a ball is likely to solve the task.
-    Success,
+    Success: "success", PURPLES;
 }
 
 impl ImaginedMap {
-    /// All maps, in the order in which the nets compute them.
-    pub const ALL: [ImaginedMap; 5] =
-        [ImaginedMap::Base, ImaginedMap::Target, ImaginedMap::Action, ImaginedMap::Placement, ImaginedMap::Success];
-
-    /// Returns the map's name in links and JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            ImaginedMap::Base => "base",
-            ImaginedMap::Target => "target",
-            ImaginedMap::Action => "action",
-            ImaginedMap::Placement => "placement",
-            ImaginedMap::Success => "success",
-        }
-    }
-
-    fn gradient(self) -> Gradient {
-        match self {
-            ImaginedMap::Base => colorous::BLUES,
-            ImaginedMap::Target => colorous::GREENS,
-            ImaginedMap::Action => colorous::ORANGES,
-            ImaginedMap::Placement => colorous::RED_PURPLE,
-            ImaginedMap::Success => colorous::PURPLES,
-        }
-    }
-
     /// Returns red, green, blue and opacity (0..=255) of a value in 0..=1. Higher values contrast more with the
     /// background.
     pub fn colour(self, value: f32, dark: bool) -> [u8; 4] {

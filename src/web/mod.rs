@@ -48,3 +48,6 @@ pub use search::{SolutionSearch, SolveMap, luck};
 /// The types of the objects that are passed. wasm-bindgen copies them into the package's declarations.
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.d.ts");
+
+#[wasm_bindgen(typescript_custom_section)]
+const MAP_NAME: &str = crate::colour::imagined_maps::ImaginedMap::NAME_TYPE;

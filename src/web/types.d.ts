@@ -117,9 +117,6 @@ export type Setup = "within" | "cross";
 /** The ids of a fold's tasks. PHYRE's training tasks are `train` and `dev`, on which settings are chosen. */
 export type Fold = Record<"train" | "dev" | "test", string[]>;
 
-/** The maps that the nets imagine, in the order in which they make them. */
-export type MapName = "base" | "target" | "action" | "placement" | "success";
-
 /** A map or a mask: 64 x 64 values in 0..1, row by row, row 0 at the bottom. */
 export type GridMap = Float32Array;
 

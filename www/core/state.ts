@@ -19,7 +19,7 @@ import type { Lesson, Share, Sheet } from "./change/sheet.ts";
 import type { Sketch } from "./change/sketch.ts";
 import type { Puzzle } from "./puzzle.ts";
 import type { Ball } from "../pkg/page/pathlight.js";
-import type { Text } from "../text/text.ts";
+import type { Text } from "../text/languages.ts";
 
 export interface State {
   /** The content of the address: a puzzle, a panel, the maps over the scene. */

@@ -2,7 +2,7 @@
 
 import { NOTHING_KEPT, mergeKept, merged } from "../core/change/kept.ts";
 import { setNotice } from "../core/change/settings.ts";
-import { LANGUAGES } from "../text/language.ts";
+import { languageOf } from "../text/languages.ts";
 import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
 import type { Kept, KeptPuzzle } from "../core/change/kept.ts";
 import type { State } from "../core/state.ts";
@@ -34,7 +34,7 @@ export function keptFrom(document: any): Kept {
     alone: alone === true,
     live: live !== false,
     model: model === "cross" ? "cross" : "within",
-    language: LANGUAGES.includes(language) ? language : null,
+    language: languageOf(String(language)),
     theme: theme === "light" || theme === "dark" ? theme : null,
   };
 }

@@ -6,7 +6,7 @@ import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
 import type { TemplateResult } from "lit-html";
 import type { Played } from "./tries.ts";
 import type { Bin } from "./results-file.ts";
-import type { ExhibitText } from "../text/en/exhibits.ts";
+import type { ExhibitText } from "../text/exhibits-en.ts";
 
 /** Size of the chart of balls, in its own units. */
 const WIDTH = 320;

@@ -2,9 +2,9 @@
 // Language and theme are passed in the address: learns.html?lang=de&theme=dark.
 
 import { html, render } from "lit-html";
-import { loadExhibitText } from "../text/exhibits.ts";
+import { languageOf } from "../text/languages.ts";
 import type { TemplateResult } from "lit-html";
-import type { ExhibitText } from "../text/en/exhibits.ts";
+import type { ExhibitText } from "../text/exhibits-en.ts";
 
 const page = document.getElementById("page")!;
 const asked = new URLSearchParams(location.search);
@@ -17,13 +17,14 @@ export function isDark(): boolean {
 }
 
 export async function loadText(): Promise<ExhibitText> {
-  const { language, text } = await loadExhibitText(asked.get("lang") ?? navigator.language);
+  const language = languageOf(asked.get("lang") ?? navigator.language) ?? "en";
+  const { exhibits } = await import(`../text/exhibits-${language}.ts`);
   const theme = asked.get("theme");
   document.documentElement.lang = language;
   if (theme) document.documentElement.dataset.theme = theme;
   // Remove the placeholder once the texts are loaded.
   page.replaceChildren();
-  return text;
+  return exhibits;
 }
 
 /** Renders an exhibit under its title, with a link back. */

@@ -2,13 +2,6 @@
 // service workers are missing or denied, or storage is full, the page works without them. It depends on no other
 // script, so that a broken version can still be replaced.
 
-import { offline as de } from "../text/de/offline.ts";
-import { offline as en } from "../text/en/offline.ts";
-import { languageOf } from "../text/language.ts";
-import type { Language } from "../text/language.ts";
-
-const TEXTS: Record<Language, typeof en> = { en, de };
-
 const SERVICE_WORKER = "service-worker.js";
 /** Maximum wait for an idle page before the service worker is registered, ms. */
 const PATIENCE = 5000;
@@ -87,15 +80,10 @@ async function isGone(): Promise<boolean> {
 function offer(act: () => void): void {
   const bar = document.getElementById("update")!;
   if (!bar.hidden) return;
-  const { available, load, later } = TEXTS[languageOf(document.documentElement.lang)];
   const [yes, no] = bar.querySelectorAll("button");
-  yes!.textContent = load;
-  no!.textContent = later;
   yes!.onclick = act;
   no!.onclick = () => (bar.hidden = true);
   bar.hidden = false;
-  // Screen readers announce changes only in elements that already exist.
-  requestAnimationFrame(() => (bar.querySelector("span")!.textContent = available));
 }
 
 /** Reloads the page in the new version. */

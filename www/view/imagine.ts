@@ -13,7 +13,7 @@ import { icon } from "./icons.ts";
 import type { Step } from "../core/change/walkthrough.ts";
 import type { State } from "../core/state.ts";
 import type { MapName } from "../pkg/page/pathlight.js";
-import type { Text } from "../text/text.ts";
+import type { Text } from "../text/languages.ts";
 import type { App, View } from "./view.ts";
 
 export function imagine(app: App): View {

@@ -9,7 +9,7 @@ import { make } from "./make.ts";
 import { play } from "./play.ts";
 import { predict } from "./predict.ts";
 import type { Panel } from "../core/change/route.ts";
-import type { Text } from "../text/text.ts";
+import type { Text } from "../text/languages.ts";
 import type { App, View } from "./view.ts";
 
 const VIEWS: Record<Panel, { tab(text: Text): string; view(app: App): View }> = {

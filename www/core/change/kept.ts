@@ -2,7 +2,7 @@
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import type { AttemptLine, CustomScene, Setup } from "../../pkg/page/pathlight.js";
-import type { Language } from "../../text/language.ts";
+import type { Language } from "../../text/languages.ts";
 import type { State } from "../state.ts";
 
 export type Theme = "light" | "dark";

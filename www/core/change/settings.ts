@@ -1,10 +1,9 @@
 // The device, the language, and messages about errors.
 
-import type { Language } from "../../text/language.ts";
 import type { Theme } from "./kept.ts";
 import type { NamedProblem } from "../derived/bodies.ts";
 import type { State } from "../state.ts";
-import type { Text } from "../../text/text.ts";
+import type { Language, Text } from "../../text/languages.ts";
 
 export interface Device {
   readonly language: Language;

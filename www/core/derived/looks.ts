@@ -1,6 +1,6 @@
 // Theme and language of the page: chosen by the person, or those of the device.
 
-import type { Language } from "../../text/language.ts";
+import type { Language } from "../../text/languages.ts";
 import type { Theme } from "../change/kept.ts";
 import type { State } from "../state.ts";
 

@@ -1,9 +1,9 @@
 // The exhibits "Watch it learn" and "Results", which load their texts themselves.
 
-import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
-import { formatsOf } from "../formats.ts";
-import { puzzle } from "./puzzle.ts";
-import type { ExhibitText } from "../en/exhibits.ts";
+import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
+import { formatsOf } from "./formats.ts";
+import { puzzle } from "./de.ts";
+import type { ExhibitText } from "./exhibits-en.ts";
 
 const { counted, number, percent } = formatsOf("de");
 

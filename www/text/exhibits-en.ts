@@ -1,9 +1,9 @@
 // The exhibits "Watch it learn" and "Results", which load their texts themselves.
 
-import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
-import { formatsOf } from "../formats.ts";
-import { puzzle } from "./puzzle.ts";
-import type { Reminder, Setup } from "../../pkg/page/pathlight.js";
+import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
+import { formatsOf } from "./formats.ts";
+import { puzzle } from "./en.ts";
+import type { Reminder, Setup } from "../pkg/page/pathlight.js";
 
 const { counted, number, percent } = formatsOf("en-GB");
 
