@@ -3,57 +3,84 @@
 //!
 //! Every time is the total for 50 scenes, two of each template: `cargo bench --features ndarray --bench proposals`.
 
-use std::hint::black_box;
+use std::sync::LazyLock;
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use pathlight::agents::{self, ranking};
+use divan::Bencher;
+use pathlight::agents::{self, placement, ranking};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::PathNet;
-use pathlight::puzzle::task::{Task, TaskId, ids};
+use pathlight::puzzle::task::{Task, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::raster::{scene_channels, scene_coverage};
 
-fn proposals(criterion: &mut Criterion) {
+static NETS: LazyLock<PathNet> = LazyLock::new(|| {
     let bytes = include_bytes!("../assets/within-0.safetensors");
-    let nets = PathNet::load(bytes).expect("our own weights").0;
-    let ids: Vec<TaskId> = TEMPLATES.iter().flat_map(|template| ids(template).step_by(50)).collect();
-    let load = |id: &TaskId| Task::load(*id).expect("an id of the template");
-    let tasks: Vec<(Task, Vec<f32>)> = ids
-        .iter()
-        .map(load)
-        .map(|task| {
-            let logits = nets.cell_logits(&task.scene).expect("the weights have a dynamics net");
-            (task, logits)
-        })
-        .collect();
+    PathNet::load(bytes).expect("our own weights").0
+});
 
-    let mut group = criterion.benchmark_group(format!("{} scenes", tasks.len()));
-    group.sample_size(10);
-    let mut bench = |name: &str, work: &dyn Fn(&Task, &[f32])| {
-        group.bench_function(name, |bencher| {
-            bencher.iter(|| tasks.iter().for_each(|(task, logits)| work(task, logits)))
-        });
-    };
-    bench("load", &|task, _| drop(black_box(load(&task.id))));
-    bench("set cells", &|task, _| drop(black_box(Box::new(scene_channels(&task.scene)))));
-    bench("covered shares", &|task, _| drop(black_box(scene_coverage(&task.scene))));
-    bench("four nets", &|task, _| drop(black_box(nets.imagine(&task.scene))));
-    bench("logits of cells", &|task, _| drop(black_box(nets.cell_logits(&task.scene))));
-    bench("probability map", &|task, logits| drop(black_box(ranking::probability_map(logits, &task.scene))));
-    bench("ranked", &|task, logits| drop(black_box(ranking::ranked(logits, &task.scene, MAX_ATTEMPTS))));
-    bench("a hundred balls", &|task, _| {
-        drop(black_box(agents::propose(&nets, &task.scene, task.id.seed(0), MAX_ATTEMPTS)))
-    });
-    bench("a hundred balls from the placement map", &|task, _| {
-        drop(black_box(agents::placement::proposals(
-            &nets.imagine(&task.scene).placement,
-            &task.scene,
-            0,
-            MAX_ATTEMPTS,
-        )));
-    });
-    group.finish();
+static TASKS: LazyLock<Vec<Task>> = LazyLock::new(|| {
+    let ids = TEMPLATES.iter().flat_map(|template| ids(template).step_by(50));
+    ids.map(|id| Task::load(id).expect("an id of the template")).collect()
+});
+
+static LOGITS: LazyLock<Vec<Vec<f32>>> = LazyLock::new(|| TASKS.iter().map(logits).collect());
+
+fn logits(task: &Task) -> Vec<f32> {
+    NETS.cell_logits(&task.scene).expect("the weights have a dynamics net")
 }
 
-criterion_group!(benches, proposals);
-criterion_main!(benches);
+fn main() {
+    LazyLock::force(&LOGITS);
+    divan::Divan::from_args().sample_count(10).sample_size(1).main();
+}
+
+fn of_all<T>(bencher: Bencher, work: impl Fn(&Task, &[f32]) -> T) {
+    bencher.bench_local(|| {
+        TASKS.iter().zip(&*LOGITS).for_each(|(task, logits)| drop(divan::black_box(work(task, logits))))
+    });
+}
+
+#[divan::bench]
+fn load(bencher: Bencher) {
+    of_all(bencher, |task, _| Task::load(task.id));
+}
+
+#[divan::bench]
+fn set_cells(bencher: Bencher) {
+    of_all(bencher, |task, _| Box::new(scene_channels(&task.scene)));
+}
+
+#[divan::bench]
+fn covered_shares(bencher: Bencher) {
+    of_all(bencher, |task, _| scene_coverage(&task.scene));
+}
+
+#[divan::bench]
+fn four_nets(bencher: Bencher) {
+    of_all(bencher, |task, _| NETS.imagine(&task.scene));
+}
+
+#[divan::bench]
+fn logits_of_cells(bencher: Bencher) {
+    of_all(bencher, |task, _| logits(task));
+}
+
+#[divan::bench]
+fn probability_map(bencher: Bencher) {
+    of_all(bencher, |task, logits| ranking::probability_map(logits, &task.scene));
+}
+
+#[divan::bench]
+fn ranked(bencher: Bencher) {
+    of_all(bencher, |task, logits| ranking::ranked(logits, &task.scene, MAX_ATTEMPTS));
+}
+
+#[divan::bench]
+fn a_hundred_balls(bencher: Bencher) {
+    of_all(bencher, |task, _| agents::propose(&NETS, &task.scene, task.id.seed(0), MAX_ATTEMPTS));
+}
+
+#[divan::bench]
+fn a_hundred_balls_from_the_placement_map(bencher: Bencher) {
+    of_all(bencher, |task, _| placement::proposals(&NETS.imagine(&task.scene).placement, &task.scene, 0, MAX_ATTEMPTS));
+}
