@@ -3,15 +3,14 @@
 import { follow, homeTask, puzzleOf } from "./opening.ts";
 import { explained, filesAt, mount } from "./app.ts";
 import { setNotice } from "./core/change/settings.ts";
-import { addressEffect, pageOf, readAddress } from "./effects/address.ts";
+import { addressEffect, hasMovedOn, pageOf, readLocation } from "./effects/address.ts";
 import { homeEffects } from "./effects/home.ts";
 import { cardEffect, qrEffect } from "./effects/sharing.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
 import { takeOver } from "./effects/old-keeping.ts";
 import { documentEffect } from "./effects/language.ts";
 import { loadSimulator, openPuzzle } from "./simulator.ts";
-import { languageOf } from "./text/language.ts";
-import { loadText } from "./text/text.ts";
+import { languageOf, loadText } from "./text/languages.ts";
 import type { Puzzle } from "./core/puzzle.ts";
 
 const files = filesAt(import.meta.url);
@@ -21,11 +20,11 @@ async function run(root: HTMLElement): Promise<void> {
   if (elsewhere) return location.replace(elsewhere);
   const forever = new AbortController().signal;
   const kept = readKept();
-  const language = languageOf(navigator.language);
+  const language = languageOf(navigator.language) ?? "en";
   // Load the texts meanwhile.
   void loadText(kept.language ?? language);
   await loadSimulator(files.simulator);
-  const { link, unread } = readAddress(location.hash);
+  const { link, unread } = readLocation();
   const shared = link.scene === null ? null : await puzzleOf(link.scene);
   const custom = shared && !("problem" in shared) ? shared : null;
   const named = custom ?? (link.task === null ? null : existing(link.task));
@@ -39,11 +38,14 @@ async function run(root: HTMLElement): Promise<void> {
   if (shared && "problem" in shared) store.change(setNotice, { kind: "bad_scene", ...shared });
   else if (link.task !== null && !named) store.change(setNotice, { kind: "no_task", task: link.task });
   else if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });
-  addEventListener("hashchange", () => {
-    const { link, unread } = readAddress(location.hash);
+  addEventListener("hashchange", followLocation);
+  if (hasMovedOn()) followLocation();
+
+  function followLocation(): void {
+    const { link, unread } = readLocation();
     follow(store, link);
     if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });
-  });
+  }
 }
 
 function existing(task: string): Puzzle | null {
@@ -59,5 +61,5 @@ run(root).catch(async (error) => {
   reportError(error);
   const trouble = document.getElementById("trouble")!;
   trouble.hidden = false;
-  trouble.textContent = await explained(error, languageOf(navigator.language));
+  trouble.textContent = await explained(error, languageOf(navigator.language) ?? "en");
 });

@@ -3,7 +3,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { START } from "../../www/core/change/route.ts";
-import { addressOf, readAddress, writeAddress } from "../../www/effects/address.ts";
+import {
+  addressEffect,
+  addressOf,
+  hasMovedOn,
+  readAddress,
+  readLocation,
+  writeAddress,
+} from "../../www/effects/address.ts";
+import { Store } from "../../www/core/store.ts";
 import { dropAt, fresh, MISSING } from "./player.ts";
 import type { Link } from "../../www/core/change/route.ts";
 
@@ -15,6 +23,20 @@ test("an address names puzzle, maps and ball, and is read as it was written", ()
   assert.deepEqual(readAddress("#scene=a%20b").unread, ["scene=a b"]);
   assert.equal(writeAddress(START), "#");
   assert.equal(addressOf(dropAt(fresh, MISSING)), "#task=00000:000&ball=100,100,12");
+});
+
+test("the address follows the state, but not past a link that has just been followed", async () => {
+  const location = { hash: "#task=00001:002" };
+  const pushState = (_: null, __: string, hash: string) => void (location.hash = hash);
+  Object.assign(globalThis, { location, history: { pushState, replaceState: pushState } });
+  readLocation();
+  location.hash = "#task=00002:003";
+  const run = () => addressEffect.run(new Store(fresh, []), new AbortController().signal);
+  await run();
+  assert.deepEqual([location.hash, hasMovedOn()], ["#task=00002:003", true]);
+  assert.equal(readLocation().link.task, "00002:003");
+  await run();
+  assert.deepEqual([location.hash, hasMovedOn()], ["#task=00000:000", false]);
 });
 
 test("what a link has that is not understood is named, shortened, and left out", () => {

@@ -89,6 +89,22 @@ export function readAddress(hash: string): { link: Link; unread: string[] } {
   return readParts(upToDate(partsOf(hash)));
 }
 
+/**
+ * The address as it was last read or written. If the browser shows another, the person has gone on, and the page is
+ * about to follow.
+ */
+let known = "";
+
+/** Reads the address of the browser. */
+export function readLocation(): { link: Link; unread: string[] } {
+  known = location.hash;
+  return readAddress(known);
+}
+
+export function hasMovedOn(): boolean {
+  return location.hash !== known;
+}
+
 /** The separate page that a link names; null if it names a puzzle or the home page. */
 export function pageOf(hash: string): string | null {
   const parts = new Map(partsOf(hash));
@@ -121,14 +137,17 @@ export const addressEffect: Effect<State> = {
   needs: (state) => [addressOf(state)],
   async run({ state }, signal) {
     const address = addressOf(state);
-    if (address === (location.hash || "#")) return;
+    if (hasMovedOn() || address === (location.hash || "#")) return;
     const { link } = readAddress(location.hash);
     const { task, scene, panel, view } = state.route;
     // A puzzle being changed stays one step.
     const isOther = link.task !== task || (link.scene !== scene && (link.scene === null || state.make === null));
-    if (isOther || link.panel !== panel || link.view !== view) return history.pushState(null, "", address);
-    await rested(signal);
-    if (!signal.aborted) history.replaceState(null, "", address);
+    const isStep = isOther || link.panel !== panel || link.view !== view;
+    if (!isStep) await rested(signal);
+    if (signal.aborted || hasMovedOn()) return;
+    if (isStep) history.pushState(null, "", address);
+    else history.replaceState(null, "", address);
+    known = location.hash;
   },
 };
 
