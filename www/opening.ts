@@ -2,7 +2,7 @@
 
 import { endIntro } from "./core/change/home.ts";
 import { making } from "./core/change/make.ts";
-import { openPanel, opened, routed } from "./core/change/route.ts";
+import { linkTo, openPanel, opened, routed } from "./core/change/route.ts";
 import { again, drop, togglePlaying } from "./core/change/run.ts";
 import { letRun } from "./core/change/sketch.ts";
 import { setNotice } from "./core/change/settings.ts";
@@ -89,16 +89,18 @@ export function goNext(store: Store<State>): void {
   goTo(store, suggested(store.state));
 }
 
-/** Opens the puzzle some places further in the list of all puzzles. */
+/** The puzzle some places further in the lesson, or else in the list of all puzzles. */
+export function puzzleBy({ route: { lesson }, puzzle }: State, places: number): string | undefined {
+  return neighbour(lesson.length ? lesson : benchmark().tasks, puzzle.about.id, places, lesson.length === 0);
+}
+
 export function goBy(store: Store<State>, places: number): void {
-  const { route, puzzle } = store.state;
-  if (!canGoOn(store.state)) return;
-  const { tasks } = route.lesson.length ? { tasks: route.lesson } : benchmark();
-  goTo(store, neighbour({ tasks }, puzzle.about.id, places));
+  const task = puzzleBy(store.state, places);
+  if (task && canGoOn(store.state)) goTo(store, task);
 }
 
 export function goTo(store: Store<State>, task: string): void {
-  follow(store, { ...store.state.route, task, scene: null, challenge: null, ball: null });
+  follow(store, linkTo(store.state, task));
 }
 
 function suggested({ puzzle, kept }: State): string {

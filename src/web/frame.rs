@@ -147,11 +147,12 @@ impl Frame<'_> {
         for (index, recording) in recordings.iter().enumerate() {
             self.ball(recording, index > 0)?;
         }
+        let height = |index: usize| recordings.get(index)?.pose(view.step, ball).map(|[_, y, _]| y);
+        let upper = usize::from(height(1) > height(0));
         for (index, (recording, name)) in recordings.iter().zip(&view.names).enumerate() {
             if let (Some(Ball { r, .. }), Some([x, y, _])) = (recording.ball, recording.pose(view.step, ball)) {
-                // Above the first ball and below the second, so that the names of two balls at the same place are both
-                // readable.
-                let away = if index == 0 { r } else { -r - NAME_HEIGHT };
+                // Above the upper ball and below the other, so that the names of close balls are both readable.
+                let away = if index == upper { r } else { -r - NAME_HEIGHT };
                 painter.name(name, [x.into(), f64::from(y) + away])?;
             }
         }

@@ -76,7 +76,7 @@ test("mouse, knob, wheel and slider place the ball; the wheel is the page's unti
   await page.mouse.move(...(await spot(page, 160, 110)), { steps: 4 });
   await page.mouse.up();
   await described(page, /x 140, y 110, with radius 20/);
-  await page.getByRole("slider", { name: "Radius" }).fill("7");
+  await page.getByRole("slider", { name: "Size" }).fill("7");
   await described(page, /radius 7/);
 });
 

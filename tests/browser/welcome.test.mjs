@@ -46,7 +46,7 @@ test("the picture shows what the model imagines; a tap in it, and one plays agai
   await page.getByText("Your turn").waitFor();
   const { solving } = await known(FIRST_TASK);
   await page.mouse.click(...(await spot(page, solving[0], solving[1])));
-  await page.getByRole("slider", { name: "Radius" }).fill(String(solving[2]));
+  await page.getByRole("slider", { name: "Size" }).fill(String(solving[2]));
   await described(page, new RegExp(`x ${solving[0]}, y ${solving[1]}, with radius ${solving[2]}`));
   assert.equal(new URL(page.url()).hash, "");
   await modelIsThere(page);
@@ -83,6 +83,7 @@ test("where motion is unwelcome the end is shown at once; else the animation can
 test("a kind opens the puzzle that it names, and says afterwards how far one has come", async () => {
   const page = await openHome();
   const tiles = page.locator("ul.kinds").getByRole("link");
+  await tiles.nth(24).waitFor();
   assert.equal(await tiles.count(), 25);
   await page.getByRole("link", { name: /^Two Drops/ }).click();
   await heading(page, "Two Drops").waitFor();
@@ -181,7 +182,8 @@ test("a lesson of two puzzles without the model leads from one to the other alon
   assert.equal(await lesson.getByRole("checkbox").count(), 0);
   await button(lesson, "Next puzzle in the list").click();
   await heading(lesson, "Two Drops").waitFor();
-  await button(lesson, "Next puzzle in the list").click();
+  await lesson.getByRole("button", { name: "Next puzzle in the list", disabled: true }).waitFor();
+  await button(lesson, "Previous puzzle").click();
   await heading(lesson, "Funnel").waitFor();
 });
 

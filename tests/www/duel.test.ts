@@ -50,6 +50,15 @@ test("verdicts name who needed fewer balls", () => {
   assert.deepEqual(outcomes([miss(1), miss(2), SOLVING], SOLVING, miss(3), miss(4)), ["won", "after", "after"]);
 });
 
+test("a ball that changes nothing for green is told apart from a near miss", () => {
+  const { puzzle } = fresh;
+  const unmoved = { ...fresh, puzzle: { ...puzzle, rollout: (ball: Ball | null) => puzzle.rollout(ball ?? MISSING) } };
+  assert.deepEqual(
+    [fresh, unmoved].map((state) => verdict(playAt(state, MISSING))!.changedNothing),
+    [false, true],
+  );
+});
+
 test("the next ball of the model, which has been computed already, is not told", () => {
   const over = playAt(withTurn(fresh, miss(1), SOLVING), MISSING);
   assert.equal(modelSolvedAt(over), null);

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { START, routed } from "../../www/core/change/route.ts";
+import { START, linkTo, routed } from "../../www/core/change/route.ts";
 import { openSheet, toggleHidden, usePreset } from "../../www/core/change/sheet.ts";
 import { nextStep } from "../../www/core/derived/duel.ts";
 import { isAlone, isHidden, shownPanels } from "../../www/core/derived/hidden.ts";
@@ -81,6 +81,16 @@ test("a panel that is hidden does nothing, though the link names it", () => {
   assert.deepEqual([imagined.run, nextStep(imagined)], [null, "drop"]);
   const predicted = routed(known, { ...START, task: "00000:000", hide: ["predict"], panel: "predict" });
   assert.equal(nextStep(predicted), "drop");
+});
+
+test("the last puzzle of a lesson offers none after it", () => {
+  const solvedIn = (...lesson: string[]) => nextStep(playAt({ ...fresh, route: { ...fresh.route, lesson } }, SOLVING));
+  assert.deepEqual([solvedIn("00000:000", "00001:002"), solvedIn("00001:002", "00000:000")], ["next", "again"]);
+});
+
+test("the walkthrough goes on to another puzzle, but not to its last step, which would play a ball", () => {
+  const at = (step: Link["step"]) => linkTo({ ...fresh, route: { ...fresh.route, step } }, "00001:002").step;
+  assert.deepEqual([at("action"), at("run")], ["action", null]);
 });
 
 test("a lesson begins with a preset, and each part can be chosen", () => {

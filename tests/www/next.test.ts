@@ -34,10 +34,11 @@ test("once all are tried there is still a next one", () => {
   );
 });
 
-test("the list of all is a ring", () => {
-  assert.equal(neighbour(benchmark, "00002:000", 1), "00000:000");
-  assert.equal(neighbour(benchmark, "00000:000", -1), "00002:000");
-  assert.equal(neighbour(benchmark, null, 1), "00000:001");
+test("the list of all is a ring; a lesson ends", () => {
+  const by = (from: string | null, places: number, wraps = true) => neighbour(benchmark.tasks, from, places, wraps);
+  assert.deepEqual([by("00002:000", 1), by("00000:000", -1), by(null, 1)], ["00000:000", "00002:000", "00000:001"]);
+  assert.deepEqual([by("00002:000", 1, false), by("00000:000", -1, false)], [undefined, undefined]);
+  assert.equal(by("00000:000", 1, false), "00000:001");
 });
 
 test("a puzzle is found by its number, however it is written", () => {

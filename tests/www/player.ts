@@ -7,7 +7,7 @@ import { place } from "../../www/core/change/placement.ts";
 import { START } from "../../www/core/change/route.ts";
 import { advance, again, drop } from "../../www/core/change/run.ts";
 import { start } from "../../www/core/state.ts";
-import { en } from "../../www/text/en/en.ts";
+import * as en from "../../www/text/en.ts";
 import type { Puzzle } from "../../www/core/puzzle.ts";
 import type { State } from "../../www/core/state.ts";
 import type {
@@ -47,7 +47,8 @@ export function line(ball: Ball, task = "00000:000"): AttemptLine {
 
 export function puzzle(task = "00000:000"): Puzzle {
   const scene = { body1: 0, body2: 1, bodies: [BODY, { ...BODY, role: "purple" as const, dynamic: false }] };
-  const facts = (ball: Ball): RolloutFacts => ({
+  /** The object takes a way of its own without a ball. */
+  const facts = (ball: Ball, object = Float32Array.of(0, 0)): RolloutFacts => ({
     line: line(ball, task),
     ending: { solved: solves(ball), steps: LAST, longest_touch: solves(ball) ? 180 : 30, final_touch: 0 },
     last: LAST,
@@ -60,7 +61,7 @@ export function puzzle(task = "00000:000"): Puzzle {
       ],
     },
     contact: null,
-    paths: { object: Float32Array.of(0, 0), ball: Float32Array.of(0, 0) },
+    paths: { object, ball: Float32Array.of(0, 0) },
   });
   return {
     source: task,
@@ -70,7 +71,7 @@ export function puzzle(task = "00000:000"): Puzzle {
     custom: CUSTOM,
     whyInvalid: ([x]) => (x < 20 ? { kind: "outside" } : null),
     nearestPlace: ([, y, r]) => [20, y, r],
-    rollout: (ball) => facts(ball ?? MISSING),
+    rollout: (ball) => (ball ? facts(ball) : facts(MISSING, Float32Array.of(0, 9))),
     pathMasks: () => ({ object: Float32Array.of(1, 1, 0, 0) }),
     sketchMask: (path) => Float32Array.of(1, path.length > 4 ? 1 : 0, 0, 0),
   };

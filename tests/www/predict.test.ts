@@ -19,9 +19,9 @@ import {
 import { attempts, nextStep, verdict } from "../../www/core/derived/duel.ts";
 import { shownGuess, shownLayers } from "../../www/core/derived/imagined.ts";
 import { prediction } from "../../www/core/derived/prediction.ts";
-import { MISSING, SOLVING, fresh, withTurn } from "./player.ts";
+import { MISSING, SOLVING, fresh, playAt, withTurn } from "./player.ts";
 import type { Point } from "../../www/core/change/placement.ts";
-import type { ImaginedBall, Maps } from "../../www/pkg/page/pathlight.js";
+import type { Ball, ImaginedBall, Maps } from "../../www/pkg/page/pathlight.js";
 import type { State } from "../../www/core/state.ts";
 
 const REACH = { knob: 10, ball: 0 };
@@ -49,6 +49,20 @@ test("a line begins at the green object, goes on from its end, and leaves out wh
     [50, 50],
     [40, 40],
   ]);
+});
+
+test("a press beside the object, within reach, begins the line", () => {
+  const overlaps = ([x, , r]: Ball) => x - r < 60;
+  const near = (ball: Ball) => (overlaps(ball) ? ({ kind: "overlaps", body: 0 } as const) : null);
+  const state = { ...predicting, puzzle: { ...predicting.puzzle, whyInvalid: near } };
+  assert.deepEqual(pressSketch(state, 1, [69, 50], REACH).sketch.line, [[50, 50]]);
+  assert.deepEqual(pressSketch(state, 1, [71, 50], REACH).sketch.line, []);
+});
+
+test("a run does not stay for a prediction, which needs the scene as it was", () => {
+  const over = playAt(withTurn(fresh, SOLVING), MISSING);
+  assert.notEqual(openPanel(over, "imagine").run, null);
+  assert.equal(openPanel(over, "predict").run, null);
 });
 
 test("off the object the pointer places the ball; one that the browser takes away leaves the line", () => {

@@ -1,7 +1,7 @@
 // The header: the open puzzle, the way to others, and the menu.
 
 import { html, nothing } from "lit-html";
-import { goBy, goTo } from "../opening.ts";
+import { goBy, goTo, puzzleBy } from "../opening.ts";
 import { choose } from "../core/change/kept.ts";
 import { present } from "../core/change/route.ts";
 import { openSheet } from "../core/change/sheet.ts";
@@ -9,10 +9,10 @@ import { canGoOn, isHidden } from "../core/derived/hidden.ts";
 import { isHome } from "../core/derived/home.ts";
 import { taskOf } from "../core/derived/next.ts";
 import { theme } from "../core/derived/looks.ts";
-import { TEXTS } from "../text/text.ts";
+import { LANGUAGES } from "../text/languages.ts";
 import { icon } from "./icons.ts";
 import type { Theme } from "../core/change/kept.ts";
-import type { Language } from "../text/language.ts";
+import type { Language } from "../text/languages.ts";
 import type { State } from "../core/state.ts";
 import type { App, View } from "./view.ts";
 
@@ -58,13 +58,23 @@ function picker({ store }: App): View {
     @change=${typed}
   />`;
   return html`<nav class="picker">
-    <button aria-label=${text.page.previous} @click=${() => goBy(store, -1)}>${icon("previous")}</button>
+    ${beside(text.page.previous, "previous", -1)}
     <div class="title">
       <h1>${text.puzzle.name(puzzle.about)}</h1>
       ${isHidden(store.state, "puzzles") ? place(store.state) : field}
     </div>
-    <button aria-label=${text.page.next} @click=${() => goBy(store, 1)}>${icon("next")}</button>
+    ${beside(text.page.next, "next", 1)}
   </nav>`;
+
+  function beside(label: string, sign: "previous" | "next", places: number): View {
+    return html`<button
+      aria-label=${label}
+      aria-disabled=${puzzleBy(store.state, places) === undefined}
+      @click=${() => goBy(store, places)}
+    >
+      ${icon(sign)}
+    </button>`;
+  }
 
   function typed({ target }: Event): void {
     const field = target as HTMLInputElement;
@@ -86,7 +96,7 @@ function menu({ store }: App): View {
       </div>
       <fieldset>
         <legend>${text.page.language}</legend>
-        ${Object.entries(TEXTS).map(
+        ${Object.entries(LANGUAGES).map(
           ([language, { name }]) =>
             html`<button
               lang=${language}

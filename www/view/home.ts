@@ -28,6 +28,7 @@ export function headline({ store }: App): View {
     return html`<h1 class="small">${text.puzzle.name(puzzle.about)}</h1>
       <p><strong>${text.puzzle.goal(...goal(store.state))}</strong></p>`;
   return html`<h1>${text.home.title}</h1>
+    <p>${text.home.goal}</p>
     <p class="quiet">${text.home.about}</p>`;
 }
 

@@ -6,7 +6,7 @@ import { show } from "../core/change/run.ts";
 import { searched } from "../core/derived/check.ts";
 import { introMiss, introPhase, introShown } from "../core/derived/home.ts";
 import { attempts, attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
-import { shownPanel } from "../core/derived/hidden.ts";
+import { endsLesson, shownPanel } from "../core/derived/hidden.ts";
 import { favourite } from "../core/derived/imagined.ts";
 import { fault, goal } from "../core/derived/placing.ts";
 import { prediction } from "../core/derived/prediction.ts";
@@ -113,11 +113,13 @@ function caption(state: State): string {
   }
 }
 
-function details({ text, route }: State, told: Verdict): string[] {
+function details(state: State, told: Verdict): string[] {
+  const { text, route } = state;
   const { facts, guessed, luck, radius } = told;
   return [
     facts.ending.solved ? null : text.play.miss(told),
     facts.ending.solved && route.challenge ? text.share.challenged(told.round, route.challenge) : null,
+    facts.ending.solved && endsLesson(state) ? text.share.lastPuzzle : null,
     luck && text.play.luck(luck.solved, luck.valid),
     guessed && text.play.guessed(guessed.chance, guessed.off, radius),
   ].filter((sentence) => sentence !== null);

@@ -48,7 +48,7 @@ function duel({ store }: App): View {
   </div>`;
 
   function modelMark({ number, model }: Round): View {
-    if (!model) return html`<span class="none">${modelAt !== null && number > modelAt ? "·" : "…"}</span>`;
+    if (!model) return html`<span class="none">${modelAt !== null && number > modelAt ? nothing : "…"}</span>`;
     return html`<span class=${model.solved ? "solved" : "not_solved"}>${model.solved ? "✓" : "✕"}</span>`;
   }
 

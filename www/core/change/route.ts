@@ -56,6 +56,13 @@ export const START: Link = {
   ball: null,
 };
 
+/** The link from here to another task. */
+export function linkTo({ route }: State, task: string): Link {
+  // The last step of the walkthrough would play the model's ball at once.
+  const step = route.step === "run" ? null : route.step;
+  return { ...route, task, step, scene: null, challenge: null, ball: null };
+}
+
 /** Moves within the open puzzle. The ball stays where it is unless the link names one. */
 export function routed(state: State, { ball, ...route }: Link): State {
   return arrived(placeLinked({ ...state, route, notice: null, sheet: null }, ball));
@@ -69,8 +76,11 @@ export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): 
   return { ...placeLinked(there, ball), ...home };
 }
 
+/** Opens a panel. Predict and Make need the scene as it was before a run; the others go on with the run. */
 export function openPanel(state: State, panel: Panel): State {
-  return arrived({ ...state, touring: false, route: { ...state.route, panel } });
+  const { panel: from } = state.route;
+  const isOther = panel !== from && [from, panel].some((one) => one === "predict" || one === "make");
+  return arrived({ ...state, run: isOther ? null : state.run, touring: false, route: { ...state.route, panel } });
 }
 
 /** Starts or ends the presentation. */

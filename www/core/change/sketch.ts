@@ -5,6 +5,7 @@ import { cancel, drag, nudge, placing, press, release } from "./placement.ts";
 import { drop, play } from "./run.ts";
 import { MIN_RADIUS, SCENE_SIZE } from "../../pkg/constants.ts";
 import { goal } from "../derived/placing.ts";
+import type { Ball } from "../../pkg/page/pathlight.js";
 import type { Point } from "./placement.ts";
 import type { State } from "../state.ts";
 
@@ -30,7 +31,8 @@ export function pressSketch(state: State, pointer: number, point: Point, reach: 
   if (drawing || state.placement.drag) return state;
   const isNear = ([x, y]: Point) => Math.hypot(point[0] - x, point[1] - y) < Math.max(reach.knob, PIECE * 4);
   const goesOn = line.length > 0 && isNear(line.at(-1)!);
-  if (!goesOn && !isNear(start(state)) && !isOnObject(state, point)) return press(state, pointer, point, reach);
+  const isAtObject = isNear(start(state)) || [MIN_RADIUS, reach.knob].some((r) => overlapsObject(state, [...point, r]));
+  if (!goesOn && !isAtObject) return press(state, pointer, point, reach);
   return sketching(state, { line: goesOn ? line : [start(state)], drawing: { pointer, before: line } });
 }
 
@@ -98,8 +100,7 @@ function start(state: State): Point {
   return [object.x, object.y];
 }
 
-/** Whether the smallest ball would overlap the object. */
-function isOnObject({ puzzle }: State, [x, y]: Point): boolean {
-  const fault = puzzle.whyInvalid([x, y, MIN_RADIUS]);
+function overlapsObject({ puzzle }: State, ball: Ball): boolean {
+  const fault = puzzle.whyInvalid(ball);
   return fault?.kind === "overlaps" && fault.body === puzzle.scene.body1;
 }

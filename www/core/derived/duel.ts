@@ -2,7 +2,7 @@
 
 import { ATTEMPT_LIMIT } from "../../pkg/constants.ts";
 import { guess } from "./placing.ts";
-import { canGoOn, isAlone, shownPanel } from "./hidden.ts";
+import { canGoOn, endsLesson, isAlone, shownPanel } from "./hidden.ts";
 import { introShown } from "./home.ts";
 import { ended, rollouts } from "./run.ts";
 import { sameBall } from "../puzzle.ts";
@@ -27,6 +27,8 @@ export interface Verdict {
   readonly radius: number;
   /** Chance that the model gave the ball, 0..1, and mean distance of its guess from the real path, px. */
   readonly guessed: { readonly chance: number; readonly off: number } | null;
+  /** Whether green went exactly as it does without a ball. */
+  readonly changedNothing: boolean;
   /** How many of the balls next to a solution also solve. */
   readonly luck: Luck | null;
 }
@@ -100,8 +102,14 @@ export function verdict(state: State): Verdict | null {
     facts,
     radius: ball[2],
     guessed: imagined && off !== null ? { chance: imagined.probability, off } : null,
+    changedNothing: isPathWithoutBall(state, facts),
     luck: state.answers.luck && sameBall(state.answers.luck.of, ball) ? state.answers.luck.found : null,
   };
+}
+
+function isPathWithoutBall({ puzzle }: State, { paths }: RolloutFacts): boolean {
+  const alone = puzzle.rollout(null).paths;
+  return Boolean(paths && alone && paths.object.every((place, at) => place === alone.object[at]));
 }
 
 function outcomeOf(state: State, round: number, solved: boolean, modelAt: number | null): Outcome {
@@ -127,7 +135,7 @@ export function nextStep(state: State): Step {
   if (!ended(state)) return state.run.playing ? "pause" : "play";
   if (panel === "make") return "make";
   if (state.run.round === null) return "back";
-  return playerSolvedAt(state) !== null && canGoOn(state) ? "next" : "again";
+  return playerSolvedAt(state) !== null && canGoOn(state) && !endsLesson(state) ? "next" : "again";
 }
 
 function numberOf(index: number): number | null {

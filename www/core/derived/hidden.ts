@@ -18,6 +18,11 @@ export function canGoOn(state: State): boolean {
   return !isHidden(state, "puzzles") || state.route.lesson.length > 1;
 }
 
+/** Whether the open puzzle is the last one of a lesson. */
+export function endsLesson({ route: { lesson }, puzzle }: State): boolean {
+  return lesson.length > 0 && lesson.at(-1) === puzzle.about.id;
+}
+
 /** The panels that are shown, at least one. */
 export function shownPanels(state: State): Panel[] {
   const shown = PANELS.filter((panel) => !isHidden(state, panel));

@@ -43,9 +43,15 @@ export function nextTask(
 }
 
 /** The task some places further in the list, which wraps around. */
-export function neighbour({ tasks }: Pick<Benchmark, "tasks">, from: string | null, places: number): string {
-  const here = from === null ? 0 : tasks.indexOf(from);
-  return tasks.at((here + places) % tasks.length)!;
+/** The puzzle some places further in a list; a list that does not wrap around ends. */
+export function neighbour(
+  tasks: readonly string[],
+  from: string | null,
+  places: number,
+  wraps: boolean,
+): string | undefined {
+  const there = (from === null ? 0 : tasks.indexOf(from)) + places;
+  return wraps ? tasks.at(there % tasks.length) : tasks[there];
 }
 
 export function kindOf(task: string): string {
