@@ -5,6 +5,8 @@ import { render } from "lit-html";
 import { startModel } from "./core/change/model.ts";
 import { moves, tick } from "./core/change/home.ts";
 import { setDevice } from "./core/change/settings.ts";
+import { shownSolution } from "./core/derived/check.ts";
+import { introShown } from "./core/derived/home.ts";
 import { start } from "./core/state.ts";
 import { Store } from "./core/store.ts";
 import { languageEffect } from "./effects/language.ts";
@@ -86,7 +88,16 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const isNamed = given.embedded || route.task !== null;
   const named = { ...route, task: isNamed ? id : null, scene: id === null ? route.scene : null };
   const first = start(named, given.puzzle, given.kept, device(), text, ball);
+  // Buttons far below the scene show something in it.
+  const inView: Effect<State> = {
+    needs(state) {
+      const shown = state.run?.balls ?? shownSolution(state);
+      return shown && !given.embedded && !introShown(state) ? [shown] : null;
+    },
+    run: () => stage.canvas.scrollIntoView({ block: "nearest", behavior: still.matches ? "auto" : "smooth" }),
+  };
   const store = new Store(first, [
+    inView,
     languageEffect,
     walkthroughEffect,
     makingEffect,

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use super::paint::{Line, Painter};
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Pose;
-use crate::puzzle::scene::{Body, Role, SIZE};
+use crate::puzzle::scene::{Body, SIZE};
 
 /// Rays of a spark.
 const RAYS: u32 = 8;
@@ -97,7 +97,8 @@ impl Painter<'_> {
     /// Draws the path that a person has drawn, with a dot at its end.
     pub(crate) fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
         let Some(&end) = points.last() else { return Ok(()) };
-        self.path(points.iter().copied(), Role::Green, Line::Dotted)?;
+        self.lines(points.iter().copied());
+        self.stroke(self.palette.ink, 2.0, Line::Dotted)?;
         self.disc(end, 3.0, self.palette.ink)
     }
 }

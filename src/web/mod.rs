@@ -36,14 +36,12 @@ pub use custom_scene::{custom_scene, paint_edited_scene, scene_digest, scene_lim
 pub use error::throw_panics;
 pub use frame::paint_thumbnail;
 pub use maps::{paint_map, paint_outcomes};
-#[cfg(feature = "nets")]
-pub use memory::Memory;
-#[cfg(feature = "nets")]
-pub use model::{Model, Turn};
 pub use open_puzzle::OpenPuzzle;
 pub use puzzle::{JsBall, JsBallOrNull, JsPuzzle};
 pub use scripting::{attempt_line, raster, simulate, verify_attempt, why_invalid};
 pub use search::{SolutionSearch, SolveMap, luck};
+#[cfg(feature = "nets")]
+pub use {memory::Memory, model::Model, model::Turn};
 
 /// The types of the objects that are passed. wasm-bindgen copies them into the package's declarations.
 #[wasm_bindgen(typescript_custom_section)]

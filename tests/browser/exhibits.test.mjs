@@ -37,8 +37,8 @@ test("from the menu, in the language of the page; an earlier link leads there to
   const page = await openPuzzle(session);
   await page.locator("summary").click();
   await button(page, "Deutsch").click();
-  await page.getByRole("link", { name: "Sieh ihm beim Lernen zu" }).click();
-  await page.getByRole("heading", { name: "Sieh ihm beim Lernen zu" }).waitFor();
+  await page.getByRole("link", { name: "Dem Modell beim Lernen zusehen" }).click();
+  await page.getByRole("heading", { name: "Dem Modell beim Lernen zusehen" }).waitFor();
   assert.equal(await page.locator("html").getAttribute("lang"), "de");
   await page.goto(`${session.origin}/#view=results`);
   await page.getByRole("heading", { name: "How good are the models?" }).waitFor();

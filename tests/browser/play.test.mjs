@@ -40,7 +40,7 @@ test("a drop plays a duel, of which nothing is told before its end", async () =>
   await page.getByRole("combobox", { name: "Speed" }).selectOption("4×");
   await button(page, "Try again").waitFor();
   assert.match(await says(page, /ball/), /missed the goal by|touched the goal for/);
-  assert.match(await says(page, /ball/), /The model gave your ball a chance of .+%; its guess was .+ off/);
+  assert.match(await says(page, /ball/), /The model gave your ball a chance of .+%; the path it guessed was .+ off/);
   assert.match(await attempts(page).getAttribute("aria-label"), /You: missed\. Model: (missed|solved)/);
   await button(page, "Try again").click();
   await button(page, "Drop it").waitFor();

@@ -5,7 +5,9 @@ import { test } from "node:test";
 import { setCheckRadius, sought, toggleCheck, toggleSeeking } from "../../www/core/change/check.ts";
 import { answered } from "../../www/core/change/model.ts";
 import { place, undo } from "../../www/core/change/placement.ts";
+import { advance, drop } from "../../www/core/change/run.ts";
 import { agreement, searched, working } from "../../www/core/derived/check.ts";
+import { attempts, nextStep } from "../../www/core/derived/duel.ts";
 import { MISSING, SOLVING, fresh } from "./player.ts";
 import type { State } from "../../www/core/state.ts";
 import type { FoundSolutions, Maps } from "../../www/pkg/page/pathlight.js";
@@ -26,6 +28,12 @@ test("outcomes count for their own radius alone; the model agrees by what of its
   assert.equal(working(known), 0.5);
   assert.ok(Math.abs(agreement(known)! - 0.8) < 1e-6);
   assert.deepEqual([working(setCheckRadius(known, 18)), agreement(setCheckRadius(known, 18))], [0, null]);
+});
+
+test("the solution that the search has placed runs, but is no attempt", () => {
+  const known = answered(fresh, key, { found: found(1, SOLVING) });
+  const shown = drop(place(known, SOLVING, null));
+  assert.deepEqual([shown.run!.round, attempts(shown), nextStep(advance(shown, 1e6))], [null, [], "back"]);
 });
 
 const found = (progress: number, easiest: FoundSolutions["easiest"]): FoundSolutions => ({

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { endIntro, setRecorded, tick, toggleIntro } from "../../www/core/change/home.ts";
+import { endIntro, setRecorded, showAgain, tick, toggleIntro } from "../../www/core/change/home.ts";
 import { answered } from "../../www/core/change/model.ts";
 import { place, undo } from "../../www/core/change/placement.ts";
 import { START, opened } from "../../www/core/change/route.ts";
@@ -82,6 +82,8 @@ test("whoever places a ball, or starts, plays the puzzle in the picture, and its
   const started = endIntro(falling);
   assert.equal(nextStep(started), "drop");
   assert.equal(tick(started, 5000), started);
+  const back = showAgain(place(started, MISSING, null));
+  assert.ok(introShown(back) && back.placement.ball === null);
 });
 
 test("the first puzzle has been recorded", () => {

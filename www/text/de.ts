@@ -269,28 +269,29 @@ export const play: Text["play"] = {
 
 // The check: where balls of a radius work, and the search for an easy one.
 export const check: Text["check"] = {
-  show: "Alle Plätze zeigen, die gehen",
-  offer: "Dreimal verfehlt: Möchtest du sehen, wo eine Kugel geht?",
+  show: "Alle Lösungen zeigen",
+  offer: "Dreimal verfehlt: Möchtest du sehen, wo eine Kugel es schafft?",
   radius: "Größe der Kugeln",
   tried: (progress, working) =>
     (progress < 1
       ? `${percent(progress)} probiert.`
       : working === 0
-        ? "Mit dieser Größe geht keine Kugel."
-        : `Eine Kugel dieser Größe geht an ${working < 0.01 ? "weniger als 1 %" : percent(working)} aller Plätze.`) +
-    `${working === 0 && progress === 1 ? "" : " Gelb: geht."} Gestreift: kein Platz für die Kugel.`,
+        ? "Keine Kugel dieser Größe schafft es."
+        : `Eine Kugel dieser Größe schafft es von ${working < 0.01 ? "weniger als 1 %" : percent(working)} aller Plätze aus.`) +
+    `${working === 0 && progress === 1 ? "" : " Gelb: löst es."} Gestreift: kein Platz für die Kugel.`,
   compare: "Mit der Vermutung des Modells vergleichen",
-  agrees: (share) => `${percent(share)} seiner Vermutung liegen dort, wo eine Kugel geht.`,
+  agrees: (share) => `${percent(share)} seiner Vermutung liegen dort, wo eine Kugel es schafft.`,
   seek: "Eine Lösung zeigen",
   stop: "Nicht weitersuchen",
+  shown: "Das war die Lösung: Sie zählt nicht. Eine andere Kugel ist deine.",
   found: ({ progress, valid, solved, rank, easiest, solves_itself }) =>
     [
       solves_itself ? "Es löst sich von selbst, ganz ohne Kugel." : "",
       progress < 1
         ? `Sucht eine einfache Kugel: ${percent(progress)}.`
         : easiest
-          ? `Von ${counted(valid, "Kugel", "Kugeln")} ${solved === 1 ? "geht eine" : `gehen ${number(solved)}`}. Eine einfache liegt jetzt in der Szene.`
-          : `Von ${counted(valid, "Kugel", "Kugeln")} aller Plätze und Größen geht keine. Dazwischen könnte es noch eine geben.`,
+          ? `Von ${counted(valid, "Kugel", "Kugeln")} ${solved === 1 ? "löst es eine" : `lösen es ${number(solved)}`}. Eine einfache liegt jetzt in der Szene.`
+          : `Von ${counted(valid, "Kugel", "Kugeln")} aller Plätze und Größen löst es keine. Dazwischen könnte es noch eine geben.`,
       progress === 1 && easiest && rank !== null ? `${percent(rank)} der Rätsel von Pathlight sind schwerer.` : "",
     ]
       .filter(Boolean)
@@ -393,7 +394,7 @@ export const predict: Text["predict"] = {
       ? `Du warst näher dran: ${mine}, das Modell ${its}.`
       : `Das Modell war näher dran: ${its}, du ${mine}.`;
   },
-  measured: "100 %: genau der wirkliche Weg von Grün. 0 %: nichts davon.",
+  measured: "Schwarze Punkte: deine Linie. Grüne Punkte: die des Modells. 100 % wäre genau der wirkliche Weg.",
 };
 
 // Making a puzzle: its bodies, its problems, keeping and sharing it.
@@ -533,8 +534,8 @@ export const home: Text["home"] = {
     const found = [solved && `${solved} gelöst`, missed && `${missed} verfehlt`].filter(Boolean).join(", ");
     return `Rätsel ${next} von ${of} · ${found}`;
   },
-  results: "Wie gut ist das Modell? Alle Ergebnisse",
-  learns: "Sieh ihm beim Lernen zu",
+  results: "Wie gut sind die Modelle? Alle Ergebnisse",
+  learns: "Dem Modell beim Lernen zusehen",
 
   progress: "Dein Fortschritt",
   soFar: ({ tried, solved, attempts }) =>
@@ -607,11 +608,11 @@ export const share: Text["share"] = {
         ? "Unentschieden: gleich viele Kugeln."
         : `Die anderen brauchten ${counted(theirs, "Kugel", "Kugeln")}.`,
 
-  puzzles: "Rätsel nach Nummer, eins nach dem anderen",
+  puzzles: "Nummern der Rätsel, mit Komma getrennt; sie stehen neben den Namen",
   lastPuzzle: "Das war das letzte Rätsel der Stunde.",
   place: (number, of) => `${number} von ${of}`,
   noPuzzles: (wrong) =>
-    `${wrong.join(", ")}: ${wrong.length === 1 ? "Das ist kein Rätsel" : "Das sind keine Rätsel"}. Ihre Nummern sehen aus wie 00007:008 oder 7:8.`,
+    `${wrong.join(", ")}: ${wrong.length === 1 ? "Das ist kein Rätsel" : "Das sind keine Rätsel"}. Rätselnummern sehen aus wie 00007:008 oder 7:8.`,
   shows: "Was die Klasse sieht",
   presets: { everything: "Alles", play: "Nur Spielen", predict: "Vorhersagen: ohne Vermutung des Modells" },
   customise: "Selbst auswählen",
@@ -681,7 +682,7 @@ export const page: Text["page"] = {
   theme: "Farben",
   themes: { light: "Hell", dark: "Dunkel" },
   language: "Sprache",
-  learns: "Sieh ihm beim Lernen zu",
+  learns: "Dem Modell beim Lernen zusehen",
   results: "Wie gut sind die Modelle?",
   scene: "Szene des Rätsels",
 
@@ -693,7 +694,7 @@ export const page: Text["page"] = {
   notice: (notice) => {
     switch (notice.kind) {
       case "no_task":
-        return `Ein Rätsel ${notice.task} gibt es nicht. Die Nummern gehen von 00000:000 bis 00024:099.`;
+        return `Ein Rätsel ${notice.task} gibt es nicht. Jede Art hat hundert Nummern mit Lücken dazwischen: Die Nummer eines Rätsels steht neben seinem Namen.`;
       case "unread_link":
         return `Dieser Link enthält etwas, das Pathlight nicht versteht: ${notice.parts.join(", ")}.`;
       case "bad_scene":

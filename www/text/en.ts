@@ -103,7 +103,7 @@ export const play = {
         ? `Green touched the goal for ${seconds(secondsOf(ending.longest_touch))} of ${GOAL_SECONDS}.`
         : `Green missed the goal by ${balls(nearest.gap, radius)}.`,
   guessed: (chance: number, off: number, radius: number) =>
-    `The model gave your ball a chance of ${chance < 0.01 ? "under 1%" : percent(chance)}; its guess was ${balls(off, radius)} off.`,
+    `The model gave your ball a chance of ${chance < 0.01 ? "under 1%" : percent(chance)}; the path it guessed was ${balls(off, radius)} off.`,
   luck: (solved: number, valid: number) =>
     solved > 0.6 * valid
       ? `A plan: ${solved} of the ${valid} balls beside yours solve it too.`
@@ -151,6 +151,7 @@ export const check = {
   agrees: (share: number) => `${percent(share)} of its guess lies where a ball works.`,
   seek: "Show a solution",
   stop: "Stop looking",
+  shown: "That was the solution: it does not count. Another ball is yours.",
   found: ({ progress, valid, solved, rank, easiest, solves_itself }: FoundSolutions) =>
     [
       solves_itself ? "It solves itself, without any ball." : "",
@@ -265,7 +266,7 @@ export const predict = {
     if (mine === its) return `A draw: both were ${mine} right.`;
     return you > model ? `You were closer: ${mine}, the model ${its}.` : `The model was closer: ${its}, you ${mine}.`;
   },
-  measured: "100%: exactly the real path of green. 0%: nothing of it.",
+  measured: "Black dots: your line. Green dots: the model’s. 100% would be exactly the real path.",
 };
 
 // Making a puzzle: its bodies, its problems, keeping and sharing it.
@@ -275,7 +276,7 @@ const the = (body: Named | null) => `the ${puzzle.body(body!)}`;
 
 export const make = {
   tab: "Make",
-  hint: "Drag a body to move it. Tap it for handles: the square one resizes, the round one turns.",
+  hint: "Drag a thing to move it. Tap it for handles: the square one resizes, the round one turns.",
   broken: "Not playable yet: see what is ringed in red.",
   watch: "Watch without a ball",
 
@@ -408,7 +409,7 @@ export const home = {
     const found = [solved && `${solved} solved`, missed && `${missed} missed`].filter(Boolean).join(", ");
     return `Puzzle ${next} of ${of} · ${found}`;
   },
-  results: "How good is the model? All results",
+  results: "How good are the models? All results",
   learns: "Watch it learn",
 
   progress: "Your progress",
@@ -499,7 +500,7 @@ export const share = {
         ? "A draw: they needed as many."
         : `They needed ${counted(theirs, "ball", "balls")}.`,
 
-  puzzles: "Puzzles, by number, one after another",
+  puzzles: "Numbers of the puzzles, separated by commas; they stand beside the names",
   /** In a lesson. */
   lastPuzzle: "That was the last puzzle of the lesson.",
   place: (number: number, of: number) => `${number} of ${of}`,
@@ -589,7 +590,7 @@ export const page = {
   notice: (notice: Notice) => {
     switch (notice.kind) {
       case "no_task":
-        return `There is no puzzle ${notice.task}. Numbers go from 00000:000 to 00024:099.`;
+        return `There is no puzzle ${notice.task}. Each kind has a hundred numbers, with gaps between them: the number of a puzzle stands beside its name.`;
       case "unread_link":
         return `This link has a part that Pathlight does not understand: ${notice.parts.join(", ")}.`;
       case "bad_scene":

@@ -19,7 +19,7 @@ export const exhibits: ExhibitText = {
   retry: "Noch einmal versuchen",
 
   learns: {
-    title: "Sieh ihm beim Lernen zu",
+    title: "Dem Modell beim Lernen zusehen",
     about:
       "Rätsel dieser Arten hat das Modell noch nie gesehen. Es spielt zwanzig einer Art nacheinander und merkt sich, was jede Kugel gezeigt hat. Daneben spielt dasselbe Modell ohne Gedächtnis. Das ist ein einzelner Durchgang in fester Reihenfolge, kein Mittelwert.",
     kinds: "Art von Rätseln",
@@ -55,7 +55,7 @@ export const exhibits: ExhibitText = {
   results: {
     title: "Wie gut sind die Modelle?",
     about:
-      "Hier stehen zweierlei Zahlen, die man nicht vergleichen darf: zuerst die beiden Modelle dieser Seite, gemessen auf je einer Aufteilung der Rätsel von PHYRE (du spielst gegen A; B spielt in „Sieh ihm beim Lernen zu“); dann Agenten, die für jede der zehn Aufteilungen neu trainiert wurden, als Mittelwerte.",
+      "Hier stehen zweierlei Zahlen, die man nicht vergleichen darf: zuerst die beiden Modelle dieser Seite, gemessen auf je einer Aufteilung der Rätsel von PHYRE (du spielst gegen A; B spielt in „Dem Modell beim Lernen zusehen“); dann Agenten, die für jede der zehn Aufteilungen neu trainiert wurden, als Mittelwerte.",
     failed: (reason) => `Die Ergebnisse konnten nicht geladen werden: ${reason}.`,
 
     here: "Die Modelle dieser Seite, auf einer Aufteilung (Fold 0)",

@@ -43,9 +43,10 @@ function ball({ store }: App): View {
   </fieldset>`;
 
   function changed({ target }: Event, index: number): void {
-    const value = (target as HTMLInputElement).valueAsNumber;
-    const next = (placement.ball ?? FIRST_BALL).with(index, value) as Ball;
-    if (Number.isFinite(value)) store.change(place, next, null);
+    const field = target as HTMLInputElement;
+    const next = (placement.ball ?? FIRST_BALL).with(index, field.valueAsNumber) as Ball;
+    if (Number.isFinite(field.valueAsNumber)) store.change(place, next, null);
+    field.value = String(store.state.placement.ball?.[index] ?? "");
   }
 }
 

@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit-html";
 import { goBy, goTo, puzzleBy } from "../opening.ts";
+import { showAgain } from "../core/change/home.ts";
 import { choose } from "../core/change/kept.ts";
 import { present } from "../core/change/route.ts";
 import { openSheet } from "../core/change/sheet.ts";
@@ -24,7 +25,9 @@ export function header(app: App): View {
     ${
       isHidden(state, "puzzles")
         ? html`<span class="brand">${icon("brand")}</span>`
-        : html`<a class="brand" href="#" aria-label=${text.page.brand}>${icon("brand")}</a>`
+        : html`<a class="brand" href="#" aria-label=${text.page.brand} @click=${() => store.change(showAgain)}
+            >${icon("brand")}</a
+          >`
     }
     ${isHome(state) ? html`<strong class="picker">${text.page.brand}</strong>` : canGoOn(state) ? picker(app) : title(state)}
     <button class="share" aria-label=${text.page.share} @click=${() => store.change(openSheet, "share")}>
@@ -61,7 +64,7 @@ function picker({ store }: App): View {
     ${beside(text.page.previous, "previous", -1)}
     <div class="title">
       <h1>${text.puzzle.name(puzzle.about)}</h1>
-      ${isHidden(store.state, "puzzles") ? place(store.state) : field}
+      ${store.state.route.lesson.length > 0 ? place(store.state) : field}
     </div>
     ${beside(text.page.next, "next", 1)}
   </nav>`;

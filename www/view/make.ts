@@ -159,7 +159,7 @@ function details({ store }: App): View {
           : nothing
       }
     </div>
-    <p class="quiet">${text.make.keys}</p>
+    <p class="quiet by-keys">${text.make.keys}</p>
   </details>`;
 
   function chosen({ target }: Event): void {

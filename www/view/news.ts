@@ -3,7 +3,7 @@
 import { html, nothing } from "lit-html";
 import { openSheet } from "../core/change/sheet.ts";
 import { show } from "../core/change/run.ts";
-import { searched } from "../core/derived/check.ts";
+import { searched, shownSolution } from "../core/derived/check.ts";
 import { introMiss, introPhase, introShown } from "../core/derived/home.ts";
 import { attempts, attemptLimitReached, modelSolvedAt, playerSolvedAt, verdict } from "../core/derived/duel.ts";
 import { endsLesson, shownPanel } from "../core/derived/hidden.ts";
@@ -11,6 +11,7 @@ import { favourite } from "../core/derived/imagined.ts";
 import { fault, goal } from "../core/derived/placing.ts";
 import { prediction } from "../core/derived/prediction.ts";
 import { ended } from "../core/derived/run.ts";
+import { sameBall } from "../core/puzzle.ts";
 import { stepWords } from "./imagine.ts";
 import { madeInWords, problemsHere } from "./make.ts";
 import type { Verdict } from "../core/derived/duel.ts";
@@ -83,7 +84,8 @@ function hint(state: State): string {
   const panel = shownPanel(state);
   const wrong = fault(state);
   const looked = searched(state);
-  if (run) return ended(state) ? "" : text.play.running;
+  if (run && !ended(state)) return text.play.running;
+  if (run) return sameBall(run.balls[0]!.ball, shownSolution(state)) ? text.check.shown : "";
   if (looked) return text.check.found(looked);
   if (panel === "make") return problemsHere(state).length ? text.make.broken : text.make.hint;
   if (wrong) return text.puzzle.fault(wrong, puzzle.scene.bodies);

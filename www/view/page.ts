@@ -25,7 +25,7 @@ export function page(app: App): View {
   const isPresented = route.view === "presentation" && !home;
   return html`<div class="app ${isPresented ? "presentation" : ""}">
     ${app.embedded || isPresented ? nothing : header(app)} ${notice(app)}
-    <main class="puzzle ${home ? "home" : shownPanel(state)}">
+    <main class="puzzle ${home ? "home" : shownPanel(state)} ${introShown(state) ? "show" : ""}">
       <div class="goal">${home ? headline(app) : task(app)}</div>
       <section class="scene" aria-label=${text.page.scene}>${app.canvas}${app.loupe}${problem(app)}</section>
       <section class="controls">${controls(app)}</section>

@@ -13,5 +13,5 @@ export function predict({ store }: App): View {
         ${text.predict.noBall}
       </button>
     </div>
-    <p class="quiet">${text.predict.keys}</p>`;
+    <p class="quiet by-keys">${text.predict.keys}</p>`;
 }

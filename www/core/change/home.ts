@@ -2,6 +2,7 @@
 // The show ends as soon as the person places a ball; from then on it is their puzzle.
 
 import { introShown, isHome } from "../derived/home.ts";
+import { NO_BALL } from "./placement.ts";
 import { advance, play } from "./run.ts";
 import type { Ball, ImaginedBall } from "../../pkg/page/pathlight.js";
 import type { Route } from "./route.ts";
@@ -50,6 +51,11 @@ export function introOf({ task }: Pick<Route, "task">, { about }: Puzzle): Intro
 
 export function setRecorded(state: State, recorded: Recorded): State {
   return { ...state, recorded };
+}
+
+/** Starts the show again on the home page. */
+export function showAgain(state: State): State {
+  return isHome(state) ? { ...state, placement: NO_BALL, run: null, intro: BEGIN } : state;
 }
 
 /** Ends the show when the person takes over. */

@@ -2,6 +2,7 @@
 // playback.
 
 import { attempts, attemptLimitReached, awaitsModel, modelSolvedAt, playerSolvedAt } from "../derived/duel.ts";
+import { shownSolution } from "../derived/check.ts";
 import { isAlone } from "../derived/hidden.ts";
 import { lastStep } from "../derived/run.ts";
 import { sameBall } from "../puzzle.ts";
@@ -31,6 +32,8 @@ export interface Run {
 export function drop(state: State, alone = false): State {
   const { ball } = state.placement;
   if (!ball || state.run || state.puzzle.whyInvalid(ball)) return state;
+  // The solution that the search has placed is no attempt of the player's.
+  if (sameBall(ball, shownSolution(state))) return play(state, [{ ball, of_model: false }], null, false);
   const made = attempts(state);
   const before = made.findIndex((line) => sameBall(line.ball, ball));
   if (before >= 0) return alone ? play(state, [{ ball, of_model: false }], before + 1, false) : show(state, before + 1);

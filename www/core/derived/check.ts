@@ -2,7 +2,7 @@
 
 import { sameBall } from "../puzzle.ts";
 import { solutions } from "./placing.ts";
-import type { FoundSolutions } from "../../pkg/page/pathlight.js";
+import type { Ball, FoundSolutions } from "../../pkg/page/pathlight.js";
 import type { State } from "../state.ts";
 
 /** Outcome of a place where a ball solves, as numbered by the wasm. */
@@ -13,6 +13,11 @@ export function searched({ check, answers: { found }, placement }: State): Found
   if (!check || !found) return null;
   const isOver = found.progress === 1;
   return (isOver ? !found.easiest || sameBall(placement.ball, found.easiest) : check.seeking) ? found : null;
+}
+
+/** The ball that the search has placed. */
+export function shownSolution({ answers: { found } }: State): Ball | null {
+  return found?.progress === 1 ? found.easiest : null;
 }
 
 /** The share of places where a ball works. */
