@@ -38,6 +38,17 @@ test("on a small phone scene, large button and verdict are seen together, in eit
   }
 });
 
+test("on a small phone a button far below the scene brings it back into sight", async () => {
+  const page = await openPuzzle(session, `#task=${EASY}&ball=${balls.missing[0]}`, SMALL);
+  await modelIsThere(page);
+  await button(page, "Drop it").click();
+  const again = button(page, /Ball 1: show it again/);
+  await again.evaluate((one) => scrollTo(0, one.getBoundingClientRect().bottom));
+  assert.ok((await scene(page).boundingBox()).y < 0);
+  await again.click();
+  await page.waitForFunction((one) => one.getBoundingClientRect().top >= 0, await scene(page).elementHandle());
+});
+
 test("in a low window what plays a run again stays under the scene", async () => {
   const page = await openPuzzle(session, `#task=${EASY}`, { ...STILL, viewport: { width: 900, height: 560 } });
   await place(page, balls.missing[0]);
