@@ -24,7 +24,7 @@ import { page } from "./view/page.ts";
 import { thumbnailsPainted } from "./simulator.ts";
 import models from "../assets/model.json";
 import type { Kept } from "./core/change/kept.ts";
-import type { Language } from "./text/languages.ts";
+import type { Language, Text } from "./text/languages.ts";
 import type { Device } from "./core/change/settings.ts";
 import type { Link } from "./core/change/route.ts";
 import type { Puzzle } from "./core/puzzle.ts";
@@ -45,6 +45,7 @@ export interface Given {
   /** Embedded in another page, without the header. */
   readonly embedded: boolean;
   readonly language: Language;
+  readonly text: Text;
   /** Effects in addition to those of the model and the language. */
   readonly effects: readonly Effect<State>[];
 }
@@ -80,14 +81,13 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     stillness: still.matches,
     day: today(),
   });
-  const text = await loadText(given.kept.language ?? given.language);
   // Start a new task, so that neither this one nor the previous one blocks the browser for long.
   await new Promise((resolve) => setTimeout(resolve));
   const { id } = given.puzzle.about;
   // The home page names no puzzle, although one is open on it.
   const isNamed = given.embedded || route.task !== null;
   const named = { ...route, task: isNamed ? id : null, scene: id === null ? route.scene : null };
-  const first = start(named, given.puzzle, given.kept, device(), text, ball);
+  const first = start(named, given.puzzle, given.kept, device(), given.text, ball);
   // Buttons far below the scene show something in it.
   const inView: Effect<State> = {
     needs(state) {

@@ -16,7 +16,7 @@ import { nextTask } from "./core/derived/next.ts";
 import { LINK_PARTS, linkOf, readParts, writePart } from "./effects/address.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
 import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
-import { languageOf } from "./text/languages.ts";
+import { languageOf, loadText } from "./text/languages.ts";
 import css from "./style.css";
 import type { Files } from "./app.ts";
 import type { Theme } from "./core/change/kept.ts";
@@ -153,7 +153,7 @@ export class PathlightPuzzle extends HTMLElement {
     if (!this.#app || this.#isFollowing || before === now) return;
     const { store } = this.#app;
     if (name === "theme") return store.change(choose, { theme: themeOf(now) });
-    const read = readParts(this.#parts()).link;
+    const read = readParts(this.#parts(), store.state.text).link;
     // The attribute set last names the puzzle.
     const link = name === "task" && now !== null ? { ...read, scene: null } : read;
     const { task, scene } = store.state.route;
@@ -173,23 +173,24 @@ export class PathlightPuzzle extends HTMLElement {
 
   async #start(signal: AbortSignal): Promise<void> {
     const files = PathlightPuzzle.base === null ? filesHere() : filesAt(PathlightPuzzle.base);
-    await loadSimulator(files.simulator);
+    const remembers = isOn(this, "remember");
+    const kept = { ...(remembers ? readKept() : NOTHING_KEPT), theme: themeOf(this.getAttribute("theme")) };
+    const language = this.#language();
+    const [text] = await Promise.all([loadText(kept.language ?? language), loadSimulator(files.simulator)]);
     if (signal.aborted) return;
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(css);
     this.#root.adoptedStyleSheets = [sheet];
-    const { link } = readParts(this.#parts());
-    const remembers = isOn(this, "remember");
-    const kept = { ...(remembers ? readKept() : NOTHING_KEPT), theme: themeOf(this.getAttribute("theme")) };
+    const { link } = readParts(this.#parts(), text);
     const shared = link.scene === null ? null : await puzzleOf(link.scene);
     if (signal.aborted) return;
     if (shared && "problem" in shared) throw new Error("The attribute scene holds no puzzle that may be played.");
     const puzzle =
       shared ?? openPuzzle(link.task ?? nextTask(benchmark(kept.model), null, (task) => task in kept.attempts));
-    const language = this.#language();
     const told = [this.#attributes(), this.#attempts(), this.#model()];
     const effects = [...told, ...(remembers ? [keepingEffect()] : [])];
-    const given = { root: this.#root, keys: this.#root, link, puzzle, kept, files, embedded: true, language, effects };
+    const shown = { link, puzzle, kept, language, text };
+    const given = { root: this.#root, keys: this.#root, ...shown, files, embedded: true, effects };
     const app = await mount(given, signal);
     if (signal.aborted) return;
     this.#app = app;

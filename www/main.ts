@@ -21,15 +21,13 @@ async function run(root: HTMLElement): Promise<void> {
   const forever = new AbortController().signal;
   const kept = readKept();
   const language = languageOf(navigator.language) ?? "en";
-  // Load the texts meanwhile.
-  void loadText(kept.language ?? language);
-  await loadSimulator(files.simulator);
-  const { link, unread } = readLocation();
+  const [text] = await Promise.all([loadText(kept.language ?? language), loadSimulator(files.simulator)]);
+  const { link, unread } = readLocation(text);
   const shared = link.scene === null ? null : await puzzleOf(link.scene);
   const custom = shared && !("problem" in shared) ? shared : null;
   const named = custom ?? (link.task === null ? null : existing(link.task));
   const puzzle = named ?? openPuzzle(homeTask(kept));
-  const given = { root, keys: document, link, puzzle, kept, files, language };
+  const given = { root, keys: document, link, puzzle, kept, files, language, text };
   const home = homeEffects(new URL("assets/home.json", import.meta.url).href);
   const effects = [addressEffect, documentEffect, keepingEffect(), ...home, cardEffect, qrEffect];
   const { store } = await mount({ ...given, embedded: false, effects }, forever);
@@ -42,7 +40,7 @@ async function run(root: HTMLElement): Promise<void> {
   if (hasMovedOn()) followLocation();
 
   function followLocation(): void {
-    const { link, unread } = readLocation();
+    const { link, unread } = readLocation(store.state.text);
     follow(store, link);
     if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });
   }

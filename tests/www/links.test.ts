@@ -43,10 +43,10 @@ const OLD: [hash: string, now: Partial<Link>][] = [
 
 test("every part of an old link is understood", () => {
   for (const [hash, now] of OLD) {
-    const { link, unread } = readAddress(`#${hash}`);
+    const { link, unread } = readAddress(`#${hash}`, fresh.text);
     assert.deepEqual(unread, [], hash);
     assert.deepEqual(link, { ...START, ...now }, hash);
-    assert.deepEqual(readAddress(writeAddress(link)).link, link, hash);
+    assert.deepEqual(readAddress(writeAddress(link), fresh.text).link, link, hash);
   }
 });
 
@@ -60,9 +60,9 @@ test("results and the model that learns have pages of their own now, unless a pu
 test("a lesson names several puzzles; a challenge the ball that solved", () => {
   const link: Link = { ...START, task: "00007:008", lesson: ["00007:008", "00001:002"], hide: ["guess"] };
   assert.equal(writeAddress(link), "#task=00007:008&lesson=00007:008,00001:002&hide=guess");
-  assert.deepEqual(readAddress(writeAddress(link)).link, link);
+  assert.deepEqual(readAddress(writeAddress(link), fresh.text).link, link);
   for (const part of ["challenge=0", "challenge=101", "challenge=1e1", "lesson=7:8", "hide=nose2"])
-    assert.equal(writeAddress(readAddress(`#${part}`).link), "#", part);
+    assert.equal(writeAddress(readAddress(`#${part}`, fresh.text).link), "#", part);
 });
 
 test("in a challenge the person plays alone, and nothing gives the answer away until they have solved it", () => {

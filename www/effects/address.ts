@@ -1,6 +1,6 @@
 // The fragment of the address: #task=00007:008&panel=play&layers=base,target&ball=40,200,12
 
-import { HIDEABLE, PANELS, START } from "../core/change/route.ts";
+import { START, hideable, panelsOf } from "../core/change/route.ts";
 import { STEPS } from "../core/change/walkthrough.ts";
 import { PAGES, upToDate } from "./old-links.ts";
 import { isHome } from "../core/derived/home.ts";
@@ -8,11 +8,12 @@ import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../pkg/
 import type { Link } from "../core/change/route.ts";
 import type { State } from "../core/state.ts";
 import type { Effect } from "../core/store.ts";
+import type { Text } from "../text/languages.ts";
 
-/** One part of a link as text. `read` returns undefined for text that it cannot parse. */
+/** One part of a link as text. `read` returns undefined for text that it cannot parse; `words` name the panels. */
 interface Codec<Value> {
   write(value: NonNullable<Value>): string;
-  read(text: string): Value | undefined;
+  read(text: string, words: Text): Value | undefined;
 }
 
 const TASK = /^\d{5}:\d{3}$/;
@@ -20,8 +21,8 @@ const TASK = /^\d{5}:\d{3}$/;
 const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
   task: { write: String, read: (text) => (TASK.test(text) ? text : undefined) },
   scene: { write: String, read: (text) => (/^[\w-]+$/.test(text) ? text : undefined) },
-  panel: { write: String, read: (text) => PANELS.find((panel) => panel === text) },
-  layers: someOf(MAPS),
+  panel: { write: String, read: (text, words) => panelsOf(words).find((panel) => panel === text) },
+  layers: someOf(() => MAPS),
   step: { write: String, read: (text) => STEPS.find((step) => step === text) },
   view: { write: String, read: (text) => (text === "presentation" ? text : undefined) },
   challenge: {
@@ -35,7 +36,7 @@ const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
       return tasks.every((task) => TASK.test(task)) ? tasks : undefined;
     },
   },
-  hide: someOf(HIDEABLE),
+  hide: someOf(hideable),
   ball: {
     write: (ball) => ball.join(),
     read: (text) => {
@@ -47,12 +48,12 @@ const CODECS: { readonly [Key in keyof Link]: Codec<Link[Key]> } = {
 };
 
 /** A subset of the names, in order. */
-function someOf<Name extends string>(all: readonly Name[]): Codec<readonly Name[]> {
+function someOf<Name extends string>(all: (words: Text) => readonly Name[]): Codec<readonly Name[]> {
   return {
-    write: (names) => all.filter((name) => names.includes(name)).join(),
-    read: (text) => {
+    write: (names) => names.join(),
+    read: (text, words) => {
       const wanted = text.split(",").filter(Boolean);
-      const names = all.filter((name) => wanted.includes(name));
+      const names = all(words).filter((name) => wanted.includes(name));
       return names.length === wanted.length ? names : undefined;
     },
   };
@@ -69,11 +70,14 @@ export function writePart(link: Link, part: keyof Link): string | null {
 }
 
 /** Reads parts of a link. `unread` lists those that cannot be parsed and change nothing. */
-export function readParts(parts: Iterable<readonly [part: string, text: string]>): { link: Link; unread: string[] } {
+export function readParts(
+  parts: Iterable<readonly [part: string, text: string]>,
+  words: Text,
+): { link: Link; unread: string[] } {
   const link: Record<string, unknown> = { ...START };
   const unread: string[] = [];
   for (const [part, text] of parts) {
-    const value = Object.hasOwn(CODECS, part) ? CODECS[part as keyof Link].read(text) : undefined;
+    const value = Object.hasOwn(CODECS, part) ? CODECS[part as keyof Link].read(text, words) : undefined;
     if (value === undefined) unread.push(shortened(`${part}=${text}`));
     else link[part] = value;
   }
@@ -85,8 +89,8 @@ export function writeAddress(link: Link): string {
   return `#${parts.flatMap(([part, text]) => (text === null ? [] : [`${part}=${text}`])).join("&")}`;
 }
 
-export function readAddress(hash: string): { link: Link; unread: string[] } {
-  return readParts(upToDate(partsOf(hash)));
+export function readAddress(hash: string, words: Text): { link: Link; unread: string[] } {
+  return readParts(upToDate(partsOf(hash), words), words);
 }
 
 /**
@@ -96,9 +100,9 @@ export function readAddress(hash: string): { link: Link; unread: string[] } {
 let known = "";
 
 /** Reads the address of the browser. */
-export function readLocation(): { link: Link; unread: string[] } {
+export function readLocation(words: Text): { link: Link; unread: string[] } {
   known = location.hash;
-  return readAddress(known);
+  return readAddress(known, words);
 }
 
 export function hasMovedOn(): boolean {
@@ -138,7 +142,7 @@ export const addressEffect: Effect<State> = {
   async run({ state }, signal) {
     const address = addressOf(state);
     if (hasMovedOn() || address === (location.hash || "#")) return;
-    const { link } = readAddress(location.hash);
+    const { link } = readAddress(location.hash, state.text);
     const { task, scene, panel, view } = state.route;
     // A puzzle being changed stays one step.
     const isOther = link.task !== task || (link.scene !== scene && (link.scene === null || state.make === null));

@@ -1,6 +1,7 @@
 // Links of earlier versions: each part opens what it named, or its closest successor.
 
-import { HIDEABLE } from "../core/change/route.ts";
+import { hideable } from "../core/change/route.ts";
+import type { Text } from "../text/languages.ts";
 
 type Part = readonly [part: string, text: string];
 
@@ -30,10 +31,12 @@ export const PAGES = new Map([
 ]);
 
 /** Updates the text of a part; parts not listed are unchanged. */
-const SUCCESSORS: Record<string, (text: string) => readonly Part[]> = {
+const SUCCESSORS: Record<string, (text: string, words: Text) => readonly Part[]> = {
   panel: (text) => [["panel", PANEL_NAMES.get(text) ?? text]],
   layers: (text) => [["layers", listOf(text, MAP_NAMES).join()]],
-  hide: (text) => [["hide", [...new Set(listOf(text, HIDDEN_NAMES))].filter((name) => has(HIDEABLE, name)).join()]],
+  hide: (text, words) => [
+    ["hide", [...new Set(listOf(text, HIDDEN_NAMES))].filter((name) => has(hideable(words), name)).join()],
+  ],
   // "stage" was the presentation, then a step of the walkthrough.
   view: (text) => {
     if (PAGES.has(text)) return [];
@@ -48,10 +51,10 @@ const SUCCESSORS: Record<string, (text: string) => readonly Part[]> = {
 };
 
 /** Updates the parts of a link. Two lists for the same part are merged. */
-export function upToDate(parts: Iterable<Part>): Part[] {
+export function upToDate(parts: Iterable<Part>, words: Text): Part[] {
   const found = new Map<string, string>();
   for (const [part, text] of parts) {
-    const successors = Object.hasOwn(SUCCESSORS, part) ? SUCCESSORS[part]!(text) : [[part, text] as const];
+    const successors = Object.hasOwn(SUCCESSORS, part) ? SUCCESSORS[part]!(text, words) : [[part, text] as const];
     for (const [name, value] of successors) {
       const before = name === "hide" ? found.get(name) : undefined;
       found.set(name, before ? `${before},${value}` : value);

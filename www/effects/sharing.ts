@@ -1,7 +1,7 @@
 // Sharing: a link, text and a picture. The link comes first; nothing waits for the picture.
 
 import { setLesson, setShare } from "../core/change/sheet.ts";
-import { PANELS, START } from "../core/change/route.ts";
+import { START, panelsOf } from "../core/change/route.ts";
 import { result, taskOfDay } from "../core/derived/home.ts";
 import { isDark } from "../core/derived/looks.ts";
 import { taskOf } from "../core/derived/next.ts";
@@ -56,7 +56,7 @@ export function lessonAddress(state: State): string | null {
   if (wrong.length) return null;
   const { hide, presentation } = state.lesson;
   const named = tasks.length > 0 ? { ...START, task: tasks[0]! } : ownLink(state);
-  const panel = PANELS.find((one) => String(one) === state.lesson.preset) ?? START.panel;
+  const panel = panelsOf(state.text).find((one) => String(one) === state.lesson.preset) ?? START.panel;
   const view = presentation ? "presentation" : null;
   const link: Link = { ...named, panel, view, hide, lesson: tasks.length > 1 ? tasks : [] };
   return new URL(writeAddress(link), location.href).href;

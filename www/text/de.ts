@@ -16,6 +16,15 @@ const { counted, number, percent, seconds } = formatsOf("de");
 
 export const language: Language = "de";
 
+// The panels next to the scene, in the order of their tabs.
+export const tabs: Text["tabs"] = {
+  play: "Spielen",
+  imagine: "Vorstellen",
+  predict: "Vorhersagen",
+  make: "Bauen",
+  data: "Daten",
+};
+
 // Distances in widths of a ball.
 const balls = widthsIn({
   hair: "ein Haar",
@@ -208,7 +217,6 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 };
 
 export const play: Text["play"] = {
-  tab: "Spielen",
   step: {
     start: "Spiel gegen sie",
     drop: "Fallen lassen",
@@ -316,7 +324,6 @@ const place = ([x, y]: Point) => `x ${Math.round(x)}, y ${Math.round(y)}`;
 const chanceOf = (chance: number) => (chance < 0.01 ? "unter 1 %" : percent(chance));
 
 export const imagine: Text["imagine"] = {
-  tab: "Vorstellen",
   walkthrough: "Wie das Modell auf seine Kugel kommt",
   tour: "Schritte abspielen",
   stop: "Anhalten",
@@ -378,7 +385,6 @@ export const imagine: Text["imagine"] = {
 
 // Predicting where the green object goes.
 export const predict: Text["predict"] = {
-  tab: "Vorhersagen",
   intro:
     "Welchen Weg nimmt Grün? Zeichne seine Bahn und lass es dann laufen: Warst du näher dran oder das Modell? Soll eine rote Kugel mitspielen, setz sie vorher.",
   keys: "Mit Tasten: In der Szene zeichnen Pfeile von Grün aus weiter, mit der Umschalttaste in größeren Schritten.",
@@ -402,7 +408,6 @@ const SIZES: Record<Size, string> = { radius: "Radius", length: "Länge", thickn
 const px = (length: number) => (Math.abs(length) < 1e5 ? number(length, length % 1 ? 1 : 0) : length.toExponential(0));
 
 export const make: Text["make"] = {
-  tab: "Bauen",
   hint: "Zieh ein Teil, um es zu verschieben. Tipp es an, dann hat es Griffe: Der eckige ändert die Größe, der runde dreht.",
   broken: "Noch nicht spielbar: Schau nach, was rot umringt ist.",
   watch: "Ohne Kugel ansehen",
@@ -475,7 +480,6 @@ export const make: Text["make"] = {
 
 // The panel Data: numbers and files.
 export const data: Text["data"] = {
-  tab: "Daten",
   ball: "Kugel",
   axes: { x: "x", y: "y", r: "Radius" },
   run: "Vorgestellt und wirklich",

@@ -18,6 +18,9 @@ const { counted, number, percent, seconds } = formatsOf("en-GB");
 
 export const language = "en" as Language;
 
+// The panels next to the scene, in the order of their tabs.
+export const tabs = { play: "Play", imagine: "Imagine", predict: "Predict", make: "Make", data: "Data" };
+
 // Distances in widths of a ball.
 const balls = widthsIn({
   hair: "a hair",
@@ -73,7 +76,6 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
 };
 
 export const play = {
-  tab: "Play",
   step: {
     start: "Play against it",
     drop: "Drop it",
@@ -188,7 +190,6 @@ const place = ([x, y]: Point) => `x ${Math.round(x)}, y ${Math.round(y)}`;
 const chanceOf = (chance: number) => (chance < 0.01 ? "under 1%" : percent(chance));
 
 export const imagine = {
-  tab: "Imagine",
   walkthrough: "How the model comes to its ball",
   tour: "Play the steps",
   stop: "Stop",
@@ -252,7 +253,6 @@ export const imagine = {
 
 // Predicting where the green object goes.
 export const predict = {
-  tab: "Predict",
   intro:
     "Which way will green go? Draw its path, then let it run: were you closer, or the model? If you want a red ball in the scene, place it first.",
   keys: "By keys: arrows in the scene draw on from green, with Shift further.",
@@ -275,7 +275,6 @@ const px = (length: number) => (Math.abs(length) < 1e5 ? number(length, length %
 const the = (body: Named | null) => `the ${puzzle.body(body!)}`;
 
 export const make = {
-  tab: "Make",
   hint: "Drag a thing to move it. Tap it for handles: the square one resizes, the round one turns.",
   broken: "Not playable yet: see what is ringed in red.",
   watch: "Watch without a ball",
@@ -349,7 +348,6 @@ export const make = {
 
 // The panel Data: numbers and files.
 export const data = {
-  tab: "Data",
   ball: "Ball",
   axes: { x: "x", y: "y", r: "radius" },
   run: "Imagined and real",

@@ -4,7 +4,6 @@ import { html, nothing, svg } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
 import { goTo } from "../opening.ts";
 import { openSheet } from "../core/change/sheet.ts";
-import { PANELS } from "../core/change/route.ts";
 import { difficulty, introShown, kindsOf, progress, standing, taskOfDay, unsolvedTask } from "../core/derived/home.ts";
 import { isDark } from "../core/derived/looks.ts";
 import { taskOf } from "../core/derived/next.ts";
@@ -45,12 +44,11 @@ export function picks({ store }: App): View {
   return html`${guard([text, device, kept.attempts, recorded, isDark(state)], () => {
     const daily = taskOfDay(benchmark(), device.day);
     const unsolved = unsolvedTask(state);
-    const make = PANELS.find((panel) => String(panel) === "make");
     const facts = (task: string) => text.home.facts(nameOf(state, task), difficulty(rateOf(task)));
     return html`<ul class="picks" @click=${toTop}>
       ${pick(state, daily, text.home.day, facts(daily))}
       ${unsolved ? pick(state, unsolved, text.home.unsolved, text.home.canYou(facts(unsolved))) : nothing}
-      ${make ? pick(state, EMPTIEST, text.home.make, text.home.makeHint, writeAddress({ ...START, task: EMPTIEST, panel: make })) : nothing}
+      ${pick(state, EMPTIEST, text.home.make, text.home.makeHint, writeAddress({ ...START, task: EMPTIEST, panel: "make" }))}
     </ul>`;
   })}`;
 }

@@ -1,4 +1,4 @@
-// The panels next to the scene. To add one, name it in core/change/route.ts and here.
+// The panels next to the scene. The texts of their tabs name them.
 
 import { html, nothing } from "lit-html";
 import { openPanel } from "../core/change/route.ts";
@@ -9,24 +9,17 @@ import { make } from "./make.ts";
 import { play } from "./play.ts";
 import { predict } from "./predict.ts";
 import type { Panel } from "../core/change/route.ts";
-import type { Text } from "../text/languages.ts";
 import type { App, View } from "./view.ts";
 
-const VIEWS: Record<Panel, { tab(text: Text): string; view(app: App): View }> = {
-  play: { tab: (text) => text.play.tab, view: play },
-  imagine: { tab: (text) => text.imagine.tab, view: imagine },
-  predict: { tab: (text) => text.predict.tab, view: predict },
-  make: { tab: (text) => text.make.tab, view: make },
-  data: { tab: (text) => text.data.tab, view: data },
-};
+const VIEWS: Record<Panel, (app: App) => View> = { play, imagine, predict, make, data };
 
 export function panels(app: App): View {
   const { state } = app.store;
-  const panel = VIEWS[shownPanel(state)];
+  const panel = shownPanel(state);
   const hasTabs = shownPanels(state).length > 1;
   return html`${hasTabs ? tabs(app) : nothing}
-    <div class="panel" role=${hasTabs ? "tabpanel" : nothing} aria-label=${panel.tab(state.text)}>
-      ${panel.view(app)}
+    <div class="panel" role=${hasTabs ? "tabpanel" : nothing} aria-label=${state.text.tabs[panel]}>
+      ${VIEWS[panel](app)}
     </div>`;
 }
 
@@ -44,7 +37,7 @@ function tabs({ store }: App): View {
           @click=${() => store.change(openPanel, panel)}
           @keydown=${(event: KeyboardEvent) => moved(event, panel)}
         >
-          ${VIEWS[panel].tab(text)}
+          ${text.tabs[panel]}
         </button>`,
     )}
   </div>`;

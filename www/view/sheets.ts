@@ -3,12 +3,13 @@
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { ref } from "lit-html/directives/ref.js";
-import { HIDEABLE } from "../core/change/route.ts";
+import { hideable } from "../core/change/route.ts";
 import { PRESETS, forget, openSheet, setLesson, setShare, toggleHidden, usePreset } from "../core/change/sheet.ts";
 import { playerSolvedAt } from "../core/derived/duel.ts";
 import { canShare, copy, lessonAddress, lessonTasks, share, shareAddress, shareText } from "../effects/sharing.ts";
 import { download } from "../effects/files.ts";
 import { checkbox } from "./widgets.ts";
+import type { Hideable } from "../core/change/route.ts";
 import type { Sheet } from "../core/change/sheet.ts";
 import type { App, View } from "./view.ts";
 
@@ -105,7 +106,7 @@ function lessonSheet({ store }: App): View {
       )}
       <details>
         <summary>${text.share.customise}</summary>
-        ${HIDEABLE.map((part) =>
+        ${hideable(text).map((part) =>
           checkbox(!lesson.hide.includes(part), partName(part), () => store.change(toggleHidden, part)),
         )}
       </details>
@@ -131,10 +132,8 @@ function lessonSheet({ store }: App): View {
     }
     <p class="quiet">${text.share.end}</p>`;
 
-  function partName(part: (typeof HIDEABLE)[number]): string {
-    return part in text.share.parts
-      ? text.share.parts[part as keyof typeof text.share.parts]
-      : text[part as "play"].tab;
+  function partName(part: Hideable): string {
+    return { ...text.share.parts, ...text.tabs }[part];
   }
 }
 

@@ -10,14 +10,18 @@ import type { Ball, MapName } from "../../pkg/page/pathlight.js";
 import type { Step } from "./walkthrough.ts";
 import type { Puzzle } from "../puzzle.ts";
 import type { State } from "../state.ts";
+import type { Text } from "../../text/languages.ts";
 
-/** The panels next to the scene, in the order of their tabs; view/panels.ts shows them. */
-export const PANELS = ["play", "imagine", "predict", "make", "data"] as const;
-export type Panel = (typeof PANELS)[number];
+/** A panel next to the scene: the texts name it on its tab, and view/panels.ts shows it. */
+export type Panel = keyof Text["tabs"];
 
-/** Parts that a lesson may hide: the ways to other puzzles, the model's guess, the model altogether, a panel. */
-export const HIDEABLE = ["puzzles", "guess", "model", ...PANELS] as const;
-export type Hideable = (typeof HIDEABLE)[number];
+/** All panels, in the order of their tabs. */
+export const panelsOf = ({ tabs }: Text): Panel[] => Object.keys(tabs) as Panel[];
+
+/** A part that a lesson may hide: the ways to other puzzles, the model's guess, the model altogether, a panel. */
+export type Hideable = "puzzles" | "guess" | "model" | Panel;
+
+export const hideable = (text: Text): Hideable[] => ["puzzles", "guess", "model", ...panelsOf(text)];
 
 export interface Route {
   /** "00007:008"; null for the home page or a custom scene. */

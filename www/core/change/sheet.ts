@@ -1,8 +1,8 @@
 // The sheets over the page: sharing, a link for a lesson, about, and the confirmation before forgetting everything.
 
-import { PANELS } from "./route.ts";
+import { hideable, panelsOf } from "./route.ts";
 import { attempts } from "../derived/duel.ts";
-import type { Hideable } from "./route.ts";
+import type { Hideable, Panel } from "./route.ts";
 import type { State } from "../state.ts";
 
 export type Sheet = "share" | "lesson" | "about" | "forget";
@@ -55,23 +55,20 @@ export function setLesson(state: State, change: Partial<Lesson>): State {
 
 /** Applies a preset of hidden parts. */
 export function usePreset(state: State, preset: Preset): State {
-  return setLesson(state, { preset, hide: HIDDEN[preset] });
+  const panelsBut = (...kept: Panel[]) => panelsOf(state.text).filter((panel) => !kept.includes(panel));
+  const hidden: Record<Preset, () => Hideable[]> = {
+    everything: () => [],
+    play: () => ["puzzles", ...panelsBut("play")],
+    // The model's guess would give away what the class should predict.
+    predict: () => ["puzzles", "guess", ...panelsBut("play", "predict")],
+  };
+  return setLesson(state, { preset, hide: hidden[preset]() });
 }
 
 export function toggleHidden(state: State, part: Hideable): State {
-  const { hide } = state.lesson;
-  const others = hide.filter((one) => one !== part);
-  return setLesson(state, { preset: null, hide: others.length < hide.length ? others : [...hide, part] });
+  const isHidden = (one: Hideable) => state.lesson.hide.includes(one) !== (one === part);
+  return setLesson(state, { preset: null, hide: hideable(state.text).filter(isHidden) });
 }
-
-const panelsBut = (...kept: string[]): Hideable[] => PANELS.filter((panel) => !kept.includes(panel));
-
-const HIDDEN: Record<Preset, readonly Hideable[]> = {
-  everything: [],
-  play: ["puzzles", ...panelsBut("play")],
-  // The model's guess would give away what the class should predict.
-  predict: ["puzzles", "guess", ...panelsBut("play", "predict")],
-};
 
 /** Forgets all attempts. Other tabs compare the time with theirs (ms since 1970). */
 export function forget(state: State, now: number): State {

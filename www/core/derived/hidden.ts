@@ -1,6 +1,6 @@
 // Hidden parts: those that a lesson hides and, in a challenge, everything that would give the answer away.
 
-import { PANELS } from "../change/route.ts";
+import { panelsOf } from "../change/route.ts";
 import { playerSolvedAt } from "./duel.ts";
 import type { Hideable, Panel } from "../change/route.ts";
 import type { State } from "../state.ts";
@@ -25,7 +25,7 @@ export function endsLesson({ route: { lesson }, puzzle }: State): boolean {
 
 /** The panels that are shown, at least one. */
 export function shownPanels(state: State): Panel[] {
-  const shown = PANELS.filter((panel) => !isHidden(state, panel));
+  const shown = panelsOf(state.text).filter((panel) => !isHidden(state, panel));
   return shown.length > 0 ? shown : ["play"];
 }
 
