@@ -27,7 +27,7 @@ const INSIDE: RangeInclusive<f32> = -32.0..=288.0;
 const SCENES_PER_ESCAPE: u64 = 50_000;
 
 /// Number of scenes in a normal run.
-const SCENES: u64 = 10_000;
+const SCENES: u64 = 5_000;
 
 /// Draws a number from a range, often one of its ends or a small one.
 fn length(random: &mut impl Rng, range: RangeInclusive<f64>) -> f64 {

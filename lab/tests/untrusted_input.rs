@@ -1,6 +1,6 @@
 //! Untrusted input, whatever it is, causes no panic, no hang and no more memory than stated, and a refusal says why.
 //!
-//! Each fuzz target runs on its corpus and mutations of it for a few seconds; PATHLIGHT_FUZZ_SECONDS sets how many.
+//! Each fuzz target runs on its corpus and mutations of it for a second; PATHLIGHT_FUZZ_SECONDS sets how many.
 //! `fuzz/run` searches further, guided by coverage.
 use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
@@ -47,7 +47,7 @@ const TOKENS: [&str; 16] = [
 
 #[test]
 fn no_door_panics_hangs_or_takes_more_memory_than_stated() {
-    let seconds = env::var("PATHLIGHT_FUZZ_SECONDS").map_or(2.0, |text| text.parse().expect("seconds"));
+    let seconds = env::var("PATHLIGHT_FUZZ_SECONDS").map_or(1.0, |text| text.parse().expect("seconds"));
     for (name, target) in untrusted::ALL {
         let corpus = corpus(name);
         let tried = try_all(name, target, corpus.clone().into_iter().chain(mutations(corpus, seconds)));
