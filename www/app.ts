@@ -109,6 +109,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const root = given.root as HTMLElement;
   const rendering = keepingFocus(given.keys, stage.canvas);
   let frame = 0;
+  let skipped = false;
   /** Time of the previous frame, while something plays. */
   let before: number | null = null;
 
@@ -146,7 +147,10 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   function schedule(): void {
     frame ||= requestAnimationFrame((now) => {
       frame = 0;
-      draw(now);
+      // Half of the frames are enough for the show: without a GPU each takes long to paint, and holds clicks up.
+      skipped = introShown(store.state) && !skipped;
+      if (skipped) schedule();
+      else draw(now);
     });
   }
 
