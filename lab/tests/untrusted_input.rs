@@ -1,6 +1,6 @@
 //! Untrusted input, whatever it is, causes no panic, no hang and no more memory than stated, and a refusal says why.
 //!
-//! Each fuzz target runs on its corpus and mutations of it for a second; PATHLIGHT_FUZZ_SECONDS sets how many.
+//! Each fuzz target runs on its corpus, and for one second on mutations of it; PATHLIGHT_FUZZ_SECONDS sets how long.
 //! `fuzz/run` searches further, guided by coverage.
 use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};

@@ -47,7 +47,7 @@ export function line(ball: Ball, task = "00000:000"): AttemptLine {
 
 export function puzzle(task = "00000:000"): Puzzle {
   const scene = { body1: 0, body2: 1, bodies: [BODY, { ...BODY, role: "purple" as const, dynamic: false }] };
-  /** The object takes a way of its own without a ball. */
+  /** `object` is the path of the green object; it is another one without a ball. */
   const facts = (ball: Ball, object = Float32Array.of(0, 0)): RolloutFacts => ({
     line: line(ball, task),
     ending: { solved: solves(ball), steps: LAST, longest_touch: solves(ball) ? 180 : 30, final_touch: 0 },

@@ -56,13 +56,13 @@ export function setLesson(state: State, change: Partial<Lesson>): State {
 /** Applies a preset of hidden parts. */
 export function usePreset(state: State, preset: Preset): State {
   const panelsBut = (...kept: Panel[]) => panelsOf(state.text).filter((panel) => !kept.includes(panel));
-  const hidden: Record<Preset, () => Hideable[]> = {
-    everything: () => [],
-    play: () => ["puzzles", ...panelsBut("play")],
+  const hidden: Record<Preset, Hideable[]> = {
+    everything: [],
+    play: ["puzzles", ...panelsBut("play")],
     // The model's guess would give away what the class should predict.
-    predict: () => ["puzzles", "guess", ...panelsBut("play", "predict")],
+    predict: ["puzzles", "guess", ...panelsBut("play", "predict")],
   };
-  return setLesson(state, { preset, hide: hidden[preset]() });
+  return setLesson(state, { preset, hide: hidden[preset] });
 }
 
 export function toggleHidden(state: State, part: Hideable): State {
