@@ -147,7 +147,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   function schedule(): void {
     frame ||= requestAnimationFrame((now) => {
       frame = 0;
-      // Half of the frames are enough for the show: without a GPU each takes long to paint, and holds clicks up.
+      // Half of the frames are enough for the show: without a GPU each takes long to paint, and clicks wait for it.
       skipped = introShown(store.state) && !skipped;
       if (skipped) schedule();
       else draw(now);
