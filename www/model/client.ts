@@ -28,6 +28,8 @@ export class WorkerError extends Error {
 
 export class ModelClient {
   #worker: Worker | null = null;
+  /** Why there is no worker. */
+  #ended: Failure = { code: "broken", reason: "There is no worker." };
   #pending = new Map<number, Pending>();
   #lastId = 0;
   #onCrash: (failure: Failure) => void;
@@ -59,6 +61,7 @@ export class ModelClient {
   stop(failure: Failure): void {
     this.#worker?.terminate();
     this.#worker = null;
+    this.#ended = failure;
     const pending = [...this.#pending.values()];
     this.#pending.clear();
     for (const { reject } of pending) reject(new WorkerError(failure));
@@ -72,7 +75,7 @@ export class ModelClient {
   ): Promise<Answer<Name>["value"]> {
     if (signal.aborted) return Promise.reject(signal.reason);
     const worker = this.#worker;
-    if (!worker) return Promise.reject(new WorkerError({ code: "broken", reason: "There is no worker." }));
+    if (!worker) return Promise.reject(new WorkerError(this.#ended));
     const id = ++this.#lastId;
     let onAbort = () => {};
     const answer = new Promise<Answer<Name>["value"]>((resolve, reject) => {
