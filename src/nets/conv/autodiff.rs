@@ -11,7 +11,7 @@ use burn::tensor::TensorData;
 
 use super::backward::Gradients;
 use super::forward::Layer;
-use super::{StridedConv, geometry, slice};
+use super::{StridedConv, flex_conv_down, flex_conv_up, geometry, slice};
 
 #[derive(Debug)]
 struct ConvDown;
@@ -30,7 +30,7 @@ impl Backward<Flex, 3> for ConvDown {
     fn backward(self, ops: Ops<SavedTensors, 3>, store: &mut GradientStore, _: &mut Checkpointer) {
         let dy = store.consume::<Flex>(&ops.node).to_contiguous();
         let [x, weight, y] = ops.state.each_ref().map(|tensor| tensor.to_contiguous());
-        let layer = Layer { geometry: geometry(&weight, y.shape()[2]), weight: slice(&weight) };
+        let layer = Layer { geometry: geometry(&weight, y.shape()[2]), weight: slice(&weight), fused: true };
         let gradients = layer.conv_down_backward(slice(&x), slice(&y), slice(&dy), ops.parents[0].is_some());
         register(ops.parents.map(|parent| parent.map(|node| node.id)), &ops.state, gradients, store);
     }
@@ -42,7 +42,7 @@ impl Backward<Flex, 3> for ConvUp {
     fn backward(self, ops: Ops<SavedTensors, 3>, store: &mut GradientStore, _: &mut Checkpointer) {
         let dy = store.consume::<Flex>(&ops.node).to_contiguous();
         let [x, weight, y] = ops.state.each_ref().map(|tensor| tensor.to_contiguous());
-        let layer = Layer { geometry: geometry(&weight, x.shape()[2]), weight: slice(&weight) };
+        let layer = Layer { geometry: geometry(&weight, x.shape()[2]), weight: slice(&weight), fused: true };
         let gradients = layer.conv_up_backward(slice(&x), self.relu.then_some(slice(&y)), slice(&dy));
         register(ops.parents.map(|parent| parent.map(|node| node.id)), &ops.state, gradients, store);
     }
@@ -66,7 +66,7 @@ fn register(
 
 impl<C: CheckpointStrategy> StridedConv for Autodiff<Flex, C> {
     fn conv_down(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {
-        let y = Flex::conv_down(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone());
+        let y = flex_conv_down(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone(), true);
         let nodes = [x.node(), weight.node(), bias.node()];
         match ConvDown.prepare::<C>(nodes).compute_bound().stateful() {
             OpsKind::Tracked(step) => step.finish([x.primitive().clone(), weight.primitive().clone(), y.clone()], y),
@@ -80,7 +80,7 @@ impl<C: CheckpointStrategy> StridedConv for Autodiff<Flex, C> {
         bias: FloatTensor<Self>,
         relu: bool,
     ) -> FloatTensor<Self> {
-        let y = Flex::conv_up(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone(), relu);
+        let y = flex_conv_up(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone(), relu, true);
         let nodes = [x.node(), weight.node(), bias.node()];
         match (ConvUp { relu }).prepare::<C>(nodes).compute_bound().stateful() {
             OpsKind::Tracked(step) => step.finish([x.primitive().clone(), weight.primitive().clone(), y.clone()], y),

@@ -37,8 +37,7 @@ impl Layer<'_> {
                     let gradient = &mut gradients.weight;
                     WeightGradient { geometry, coarse: &dy, fine: x, gradient }.compute();
                     if input_needs_it {
-                        DirectConv { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }
-                            .conv_up();
+                        self.direct(&zeros, false, &dy, dx).conv_up();
                     }
                     return;
                 }
@@ -71,7 +70,7 @@ impl Layer<'_> {
                     let x = &x[group.coarse(geometry)];
                     let gradient = &mut gradients.weight;
                     WeightGradient { geometry, coarse: x, fine: &dy, gradient }.compute();
-                    DirectConv { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }.conv_down();
+                    self.direct(&zeros, false, &dy, dx).conv_down();
                     return;
                 }
                 let columns = Columns::im2col(geometry, &dy, group.samples);
@@ -197,9 +196,11 @@ mod tests {
             // Every output stays on one side of the ReLU: half of the channels far above zero, half far below.
             let bias: Vec<f32> = (0..geometry.coarse_channels).map(|i| if i % 2 == 0 { 20.0 } else { -20.0 }).collect();
             let dy = random(batch * geometry.coarse_len(), &mut rng);
-            let y = Layer { geometry, weight: &weight }.conv_down(&x, &bias);
-            let gradients = Layer { geometry, weight: &weight }.conv_down_backward(&x, &y, &dy, true);
-            let f = |x: &[f32], weight: &[f32], bias: &[f32]| dot(&Layer { geometry, weight }.conv_down(x, bias), &dy);
+            let y = Layer { geometry, weight: &weight, fused: true }.conv_down(&x, &bias);
+            let gradients = Layer { geometry, weight: &weight, fused: true }.conv_down_backward(&x, &y, &dy, true);
+            let f = |x: &[f32], weight: &[f32], bias: &[f32]| {
+                dot(&Layer { geometry, weight, fused: true }.conv_down(x, bias), &dy)
+            };
             let offset = f(&x, &weight, &bias);
             assert!(offset != 0.0);
             assert_gradient("x", &gradients.x, &x, |x| f(x, &weight, &bias) - offset);
@@ -217,11 +218,11 @@ mod tests {
             let bias: Vec<f32> = (0..geometry.fine_channels).map(|i| if i % 2 == 0 { 20.0 } else { -20.0 }).collect();
             let dy = random(batch * geometry.fine_len(), &mut rng);
             for relu in [true, false] {
-                let layer = Layer { geometry, weight: &weight };
+                let layer = Layer { geometry, weight: &weight, fused: true };
                 let y = layer.conv_up(&x, &bias, relu);
                 let gradients = layer.conv_up_backward(&x, relu.then_some(&y[..]), &dy);
                 let f = |x: &[f32], weight: &[f32], bias: &[f32]| {
-                    dot(&Layer { geometry, weight }.conv_up(x, bias, relu), &dy)
+                    dot(&Layer { geometry, weight, fused: true }.conv_up(x, bias, relu), &dy)
                 };
                 assert_gradient("x", &gradients.x, &x, |x| f(x, &weight, &bias));
                 assert_gradient("weight", &gradients.weight, &weight, |weight| f(&x, weight, &bias));

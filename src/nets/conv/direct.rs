@@ -31,6 +31,8 @@ pub(crate) struct DirectConv<'a> {
     /// One value for each output channel.
     pub bias: &'a [f32],
     pub relu: bool,
+    /// Whether to fuse multiplications with additions: in training only, see `simd`.
+    pub fused: bool,
     /// Input images.
     pub x: &'a [f32],
     /// Output images.
@@ -49,48 +51,52 @@ impl DirectConv<'_> {
 
     /// Computes coarse images from fine ones.
     pub(crate) fn conv_down(self) {
-        vectorize(lanes_that_divide(self.geometry.coarse_side), ConvDown(self));
+        let lanes = lanes_that_divide(self.geometry.coarse_side);
+        if self.fused { vectorize(lanes, ConvDown::<true>(self)) } else { vectorize(lanes, ConvDown::<false>(self)) }
     }
 
     /// Computes fine images from coarse ones.
     pub(crate) fn conv_up(self) {
-        vectorize(lanes_that_divide(self.geometry.coarse_side), ConvUp(self));
+        let lanes = lanes_that_divide(self.geometry.coarse_side);
+        if self.fused { vectorize(lanes, ConvUp::<true>(self)) } else { vectorize(lanes, ConvUp::<false>(self)) }
     }
 }
 
-struct ConvDown<'a>(DirectConv<'a>);
+struct ConvDown<'a, const FUSED: bool>(DirectConv<'a>);
 
-impl WithSimd for ConvDown<'_> {
+impl<const FUSED: bool> WithSimd for ConvDown<'_, FUSED> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let DirectConv { geometry, weight, bias, relu, x, y } = self.0;
+        let DirectConv { geometry, weight, bias, relu, x, y, .. } = self.0;
         let side = geometry.coarse_side;
         let taps = 16 * geometry.fine_channels;
-        let mut planes = Planes::with_phases(geometry.fine_channels, side);
-        let offsets = planes.pairs_of_taps();
+        let images: Vec<Planes> = x
+            .chunks_exact(geometry.fine_len())
+            .map(|image| Planes::with_phases(image, geometry.fine_channels, side))
+            .collect();
+        let offsets = images.first().expect("a group has samples").pairs_of_taps();
         let mut packed = vec![[[[0.0; CHANNELS]; 2]; 8]; geometry.fine_channels];
         let epilogue = Epilogue::new(simd, relu);
-        for (image, y) in x.chunks_exact(geometry.fine_len()).zip(y.chunks_exact_mut(geometry.coarse_len())) {
-            planes.fill_with_phases(image, side);
-            for (block, y) in y.chunks_exact_mut(CHANNELS * geometry.coarse_cells()).enumerate() {
-                let channels = block * CHANNELS..(block + 1) * CHANNELS;
-                for (index, weight) in weight[channels.start * taps..].chunks_exact(taps).take(CHANNELS).enumerate() {
-                    for (pairs, kernel) in packed.iter_mut().zip(kernels(weight)) {
-                        for (pair, [left, right]) in pairs.iter_mut().enumerate() {
-                            let (row, phase) = (pair / 2, pair % 2);
-                            left[index] = kernel[row][phase];
-                            right[index] = kernel[row][phase + 2];
-                        }
+        for first in (0..geometry.coarse_channels).step_by(CHANNELS) {
+            for (index, weight) in weight[first * taps..].chunks_exact(taps).take(CHANNELS).enumerate() {
+                for (pairs, kernel) in packed.iter_mut().zip(kernels(weight)) {
+                    for (pair, [left, right]) in pairs.iter_mut().enumerate() {
+                        let (row, phase) = (pair / 2, pair % 2);
+                        left[index] = kernel[row][phase];
+                        right[index] = kernel[row][phase + 2];
                     }
                 }
+            }
+            for (planes, y) in images.iter().zip(y.chunks_exact_mut(geometry.coarse_len())) {
+                let y = &mut y[first * geometry.coarse_cells()..];
                 for row in 0..side {
                     for column in (0..side).step_by(REGISTERS * S::F32_LANES) {
                         let at = 2 * row * planes.row + column;
-                        let sums = tile::<S, REGISTERS, CHANNELS, 8>(simd, &planes, at, &offsets, &packed);
+                        let sums = tile::<S, FUSED, REGISTERS, CHANNELS, 8>(simd, planes, at, &offsets, &packed);
                         let cells = y.chunks_exact_mut(geometry.coarse_cells());
-                        for ((sums, bias), y) in sums.iter().zip(&bias[channels.clone()]).zip(cells) {
+                        for ((sums, bias), y) in sums.iter().zip(&bias[first..]).zip(cells) {
                             let y = &mut y[row * side + column..][..REGISTERS * S::F32_LANES];
                             for (y, sum) in S::as_mut_simd_f32s(y).0.iter_mut().zip(sums) {
                                 *y = epilogue.apply(simd, *sum, *bias);
@@ -103,58 +109,58 @@ impl WithSimd for ConvDown<'_> {
     }
 }
 
-struct ConvUp<'a>(DirectConv<'a>);
+struct ConvUp<'a, const FUSED: bool>(DirectConv<'a>);
 
-impl WithSimd for ConvUp<'_> {
+impl<const FUSED: bool> WithSimd for ConvUp<'_, FUSED> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         if self.0.geometry.fine_channels.is_multiple_of(CHANNELS) {
-            conv_up::<S, REGISTERS, CHANNELS>(simd, self.0);
+            conv_up::<S, FUSED, REGISTERS, CHANNELS>(simd, self.0);
         } else if S::F32_LANES == 16 {
-            conv_up::<S, 2, 1>(simd, self.0);
+            conv_up::<S, FUSED, 2, 1>(simd, self.0);
         } else {
-            conv_up::<S, ROW_REGISTERS, 1>(simd, self.0);
+            conv_up::<S, FUSED, ROW_REGISTERS, 1>(simd, self.0);
         }
     }
 }
 
 #[inline(always)]
-fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, layer: DirectConv) {
-    let DirectConv { geometry, weight, bias, relu, x, y } = layer;
+fn conv_up<S: Simd, const FUSED: bool, const REGISTERS: usize, const CHANNELS: usize>(simd: S, layer: DirectConv) {
+    let DirectConv { geometry, weight, bias, relu, x, y, .. } = layer;
     let side = geometry.coarse_side;
-    let mut planes = Planes::new(geometry.coarse_channels, side);
-    let offsets = [0, planes.row];
+    let images: Vec<Planes> =
+        x.chunks_exact(geometry.coarse_len()).map(|image| Planes::new(image, geometry.coarse_channels, side)).collect();
+    let offsets = [0, images.first().expect("a group has samples").row];
     // One entry per phase of the fine image, rows before columns.
     let mut packed: [_; 4] = std::array::from_fn(|_| vec![[[[0.0; CHANNELS]; 2]; 2]; geometry.coarse_channels]);
     let epilogue = Epilogue::new(simd, relu);
-    for (image, y) in x.chunks_exact(geometry.coarse_len()).zip(y.chunks_exact_mut(geometry.fine_len())) {
-        planes.fill(image, side);
-        for (block, y) in y.chunks_exact_mut(CHANNELS * geometry.fine_cells()).enumerate() {
-            let channels = block * CHANNELS..(block + 1) * CHANNELS;
-            for (phase, packed) in packed.iter_mut().enumerate() {
-                let rows = taps_of_phase(phase / 2);
-                let columns = taps_of_phase(phase % 2);
-                for (pairs, weight) in packed.iter_mut().zip(weight.chunks_exact(16 * geometry.fine_channels)) {
-                    for (index, kernel) in kernels(weight)[channels.clone()].iter().enumerate() {
-                        for ([left, right], row) in pairs.iter_mut().zip(rows) {
-                            left[index] = kernel[row][columns[0]];
-                            right[index] = kernel[row][columns[1]];
-                        }
+    for first in (0..geometry.fine_channels).step_by(CHANNELS) {
+        for (phase, packed) in packed.iter_mut().enumerate() {
+            let rows = taps_of_phase(phase / 2);
+            let columns = taps_of_phase(phase % 2);
+            for (pairs, weight) in packed.iter_mut().zip(weight.chunks_exact(16 * geometry.fine_channels)) {
+                for (index, kernel) in kernels(weight)[first..first + CHANNELS].iter().enumerate() {
+                    for ([left, right], row) in pairs.iter_mut().zip(rows) {
+                        left[index] = kernel[row][columns[0]];
+                        right[index] = kernel[row][columns[1]];
                     }
                 }
             }
+        }
+        for (planes, y) in images.iter().zip(y.chunks_exact_mut(geometry.fine_len())) {
+            let y = &mut y[first * geometry.fine_cells()..];
             for fine_row in 0..2 * side {
                 let row = fine_row / 2;
                 let phase = fine_row % 2;
                 for column in (0..side).step_by(REGISTERS * S::F32_LANES) {
                     let at = (row + phase) * planes.row + column;
-                    let even = tile::<S, REGISTERS, CHANNELS, 2>(simd, &planes, at, &offsets, &packed[2 * phase]);
-                    let odd =
-                        tile::<S, REGISTERS, CHANNELS, 2>(simd, &planes, at + 1, &offsets, &packed[2 * phase + 1]);
+                    let packed = &packed[2 * phase..];
+                    let even = tile::<S, FUSED, REGISTERS, CHANNELS, 2>(simd, planes, at, &offsets, &packed[0]);
+                    let odd = tile::<S, FUSED, REGISTERS, CHANNELS, 2>(simd, planes, at + 1, &offsets, &packed[1]);
                     let cells = y.chunks_exact_mut(geometry.fine_cells());
-                    for (((even, odd), bias), y) in even.iter().zip(&odd).zip(&bias[channels.clone()]).zip(cells) {
+                    for (((even, odd), bias), y) in even.iter().zip(&odd).zip(&bias[first..]).zip(cells) {
                         let y = &mut y[fine_row * 2 * side + 2 * column..][..2 * REGISTERS * S::F32_LANES];
                         for ((y, even), odd) in y.chunks_exact_mut(2 * S::F32_LANES).zip(even).zip(odd) {
                             let even = [epilogue.apply(simd, *even, *bias)];
@@ -203,7 +209,7 @@ fn interleave(to: &mut [f32], even: &[f32], odd: &[f32]) {
 /// channel, a pair of taps covers the cells from its offset onwards and their right neighbours; `weights` are
 /// `[input channels][pairs][left, right][output channels]`.
 #[inline(always)]
-fn tile<S: Simd, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usize>(
+fn tile<S: Simd, const FUSED: bool, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usize>(
     simd: S,
     planes: &Planes,
     at: usize,
@@ -216,11 +222,11 @@ fn tile<S: Simd, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usi
             let cells = &plane[at + offset..][..REGISTERS * S::F32_LANES + 1];
             let left: [_; REGISTERS] = std::array::from_fn(|index| load::<S>(cells, index * S::F32_LANES));
             for channel in 0..CHANNELS {
-                multiply_add(simd, &mut sums[channel], taps[0][channel], left);
+                multiply_add::<S, FUSED, REGISTERS>(simd, &mut sums[channel], taps[0][channel], left);
             }
             let right: [_; REGISTERS] = std::array::from_fn(|index| load::<S>(cells, index * S::F32_LANES + 1));
             for channel in 0..CHANNELS {
-                multiply_add(simd, &mut sums[channel], taps[1][channel], right);
+                multiply_add::<S, FUSED, REGISTERS>(simd, &mut sums[channel], taps[1][channel], right);
             }
         }
     }
@@ -261,12 +267,12 @@ mod tests {
             let geometry = &Geometry { fine_channels, coarse_channels: 16, coarse_side, kernel: 4 };
             let (coarse, fine) = (values(geometry.coarse_len()), values(geometry.fine_len()));
             let (weight, bias) = (values(16 * 16 * fine_channels), values(16));
-            let layer = |x, y| DirectConv { geometry, weight: &weight, bias: &bias, relu: true, x, y };
+            let layer = |x, y| DirectConv { geometry, weight: &weight, bias: &bias, relu: true, fused: false, x, y };
             let [mut wide, mut narrow] = [(); 2].map(|()| (vec![0.0; coarse.len()], vec![0.0; fine.len()]));
             layer(&fine, &mut wide.0).conv_down();
             layer(&coarse, &mut wide.1).conv_up();
-            Simd::vectorize(Scalar128b, ConvDown(layer(&fine, &mut narrow.0)));
-            Simd::vectorize(Scalar128b, ConvUp(layer(&coarse, &mut narrow.1)));
+            Simd::vectorize(Scalar128b, ConvDown::<false>(layer(&fine, &mut narrow.0)));
+            Simd::vectorize(Scalar128b, ConvUp::<false>(layer(&coarse, &mut narrow.1)));
             assert!(wide == narrow, "{fine_channels} channels, {coarse_side} cells");
             assert!(wide.0.iter().chain(&wide.1).filter(|&&y| y > 0.0).count() > 1000);
         }

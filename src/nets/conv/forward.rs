@@ -24,6 +24,8 @@ const DIRECT_GROUP: usize = 4;
 pub(crate) struct Layer<'a> {
     pub geometry: Geometry,
     pub weight: &'a [f32],
+    /// See `DirectConv::fused`.
+    pub fused: bool,
 }
 
 impl Layer<'_> {
@@ -37,7 +39,7 @@ impl Layer<'_> {
         self.for_each_group(&mut y, geometry.coarse_len(), |group, y| {
             if DirectConv::fits(geometry) {
                 let x = &x[group.fine(geometry)];
-                DirectConv { geometry, weight: self.weight, bias, relu: true, x, y }.conv_down();
+                self.direct(bias, true, x, y).conv_down();
                 return;
             }
             let columns = Columns::im2col(geometry, &x[group.fine(geometry)], group.samples);
@@ -63,7 +65,7 @@ impl Layer<'_> {
         self.for_each_group(&mut y, geometry.fine_len(), |group, y| {
             if DirectConv::fits(geometry) {
                 let x = &x[group.coarse(geometry)];
-                DirectConv { geometry, weight: self.weight, bias, relu, x, y }.conv_up();
+                self.direct(bias, relu, x, y).conv_up();
                 return;
             }
             let x = self.channels_first(&x[group.coarse(geometry)], group.samples);
@@ -80,6 +82,11 @@ impl Layer<'_> {
             }
         });
         y
+    }
+
+    /// Returns the layer as a direct convolution of some samples.
+    pub(crate) fn direct<'a>(&'a self, bias: &'a [f32], relu: bool, x: &'a [f32], y: &'a mut [f32]) -> DirectConv<'a> {
+        DirectConv { geometry: &self.geometry, weight: self.weight, bias, relu, fused: self.fused, x, y }
     }
 
     /// Returns the weights as a matrix `[coarse_channels, patch_len]`.

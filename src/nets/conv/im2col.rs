@@ -64,7 +64,18 @@ impl Geometry {
     /// Copies the patches of one sample into columns: `[fine_channels, 2 n, 2 n]` to `[patch_len, coarse_cells]`, whose
     /// rows begin `stride` values apart. `columns` begins at the sample's first column and holds zeros.
     pub(crate) fn im2col(&self, image: &[f32], columns: &mut [f32], stride: usize) {
-        let (side, kernel) = (self.coarse_side, self.kernel);
+        // With a side that the compiler knows, rows of one to four cells are not copied by calls.
+        match self.coarse_side {
+            1 => self.im2col_of_side(1, image, columns, stride),
+            2 => self.im2col_of_side(2, image, columns, stride),
+            4 => self.im2col_of_side(4, image, columns, stride),
+            side => self.im2col_of_side(side, image, columns, stride),
+        }
+    }
+
+    #[inline(always)]
+    fn im2col_of_side(&self, side: usize, image: &[f32], columns: &mut [f32], stride: usize) {
+        let kernel = self.kernel;
         for (channel, plane) in image.chunks_exact(self.fine_cells()).enumerate() {
             let first = channel * self.taps();
             for (fine_row, cells) in plane.chunks_exact(2 * side).enumerate() {
@@ -84,7 +95,17 @@ impl Geometry {
 
     /// Adds columns back to where `im2col` took them from: `[patch_len, coarse_cells]` to `[fine_channels, 2 n, 2 n]`.
     pub(crate) fn col2im(&self, columns: &[f32], stride: usize, image: &mut [f32]) {
-        let (side, kernel) = (self.coarse_side, self.kernel);
+        match self.coarse_side {
+            1 => self.col2im_of_side(1, columns, stride, image),
+            2 => self.col2im_of_side(2, columns, stride, image),
+            4 => self.col2im_of_side(4, columns, stride, image),
+            side => self.col2im_of_side(side, columns, stride, image),
+        }
+    }
+
+    #[inline(always)]
+    fn col2im_of_side(&self, side: usize, columns: &[f32], stride: usize, image: &mut [f32]) {
+        let kernel = self.kernel;
         for (channel, plane) in image.chunks_exact_mut(self.fine_cells()).enumerate() {
             let first = channel * self.taps();
             for (fine_row, cells) in plane.chunks_exact_mut(2 * side).enumerate() {

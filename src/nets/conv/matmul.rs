@@ -9,11 +9,14 @@ use pulp::{Simd, WithSimd, bytemuck};
 use super::simd::{lanes_that_divide, load, multiply_add, vectorize};
 
 /// Rows of `a` that `few_columns` processes at once. The number of rows must be a multiple of this, unless `b` is one
-/// column.
+/// column and `a` is transposed.
 pub(crate) const TILE_ROWS: usize = 8;
 
-/// Maximum number of lanes in the registers that hold rows.
-const ROWS_LANES: usize = 16;
+/// Lanes of the widest registers.
+const WIDEST: usize = 16;
+
+/// Columns of a transposed matrix, contiguous in memory, that `rows_in_registers` reads at once.
+const DEPTH: usize = 8;
 
 /// Maximum number of columns of `b` for which gemm does not pay off.
 #[cfg(not(target_arch = "wasm32"))]
@@ -89,14 +92,19 @@ fn gemm(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
 /// Computes `out = a b` for a `b` with contiguous rows: one column, or a multiple of four.
 fn few_columns(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(b.column_stride == 1, "rows of b are contiguous");
-    let has_rows = b.columns == 1 || fits_rows(a, b);
-    let lanes = if has_rows { ROWS_LANES } else { lanes_that_divide(b.columns).min(8) };
+    let across_columns = !(b.columns == 1 || fits_scalar_products(a, b) || fits_rows(a, b));
+    let lanes = if across_columns { lanes_that_divide(b.columns) } else { WIDEST };
     vectorize(lanes, FewColumns { out, stride, a, b });
+}
+
+/// Returns whether `scalar_products` can multiply them.
+fn fits_scalar_products(a: Matrix, b: Matrix) -> bool {
+    a.column_stride == 1 && b.columns <= 4
 }
 
 /// Returns whether `rows_in_registers` can multiply them.
 fn fits_rows(a: Matrix, b: Matrix) -> bool {
-    b.columns == 4 && a.row_stride == 1 && a.rows.is_multiple_of(2 * ROWS_LANES)
+    b.columns == 4 && a.row_stride == 1 && a.rows.is_multiple_of(WIDEST) && a.columns.is_multiple_of(DEPTH)
 }
 
 struct FewColumns<'a> {
@@ -112,11 +120,21 @@ impl WithSimd for FewColumns<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let FewColumns { out, stride, a, b } = self;
-        if b.columns == 1 {
-            matvec(out, stride, a, b);
+        if fits_scalar_products(a, b) {
+            // Eight registers of sums, as many as wasm has registers for besides the factors; sixteen of AVX-512's.
+            match (S::F32_LANES, b.columns) {
+                (16, 1) => scalar_products::<S, 1, 8, 1>(simd, out, stride, a, b),
+                (16, _) => scalar_products::<S, 1, 4, 4>(simd, out, stride, a, b),
+                (8, 1) => scalar_products::<S, 2, 4, 1>(simd, out, stride, a, b),
+                (8, _) => scalar_products::<S, 2, 2, 2>(simd, out, stride, a, b),
+                (_, 1) => scalar_products::<S, 4, 2, 1>(simd, out, stride, a, b),
+                _ => scalar_products::<S, 4, 1, 2>(simd, out, stride, a, b),
+            }
+        } else if b.columns == 1 {
+            transposed_by_column(out, stride, a, b);
         } else if fits_rows(a, b) {
             rows_in_registers::<S>(simd, out, stride, a, b);
-        } else if b.columns == S::F32_LANES && a.column_stride != 1 {
+        } else if b.columns == S::F32_LANES && a.row_stride == 1 && a.columns.is_multiple_of(4) {
             one_register::<S>(simd, out, stride, a, b);
         } else if b.columns.is_multiple_of(2 * S::F32_LANES) {
             tiles::<S, { TILE_ROWS / 2 }, 2>(simd, out, stride, a, b);
@@ -151,7 +169,7 @@ fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
                 for k in 0..a.columns {
                     let right = right(k);
                     for index in 0..ROWS {
-                        multiply_add(simd, &mut sums[index], rows[index][k], right);
+                        multiply_add::<S, false, _>(simd, &mut sums[index], rows[index][k], right);
                     }
                 }
             } else {
@@ -159,7 +177,7 @@ fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
                     let right = right(k);
                     let left = &a.data[k * a.column_stride + row..][..ROWS];
                     for index in 0..ROWS {
-                        multiply_add(simd, &mut sums[index], left[index], right);
+                        multiply_add::<S, false, _>(simd, &mut sums[index], left[index], right);
                     }
                 }
             }
@@ -171,24 +189,36 @@ fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
     }
 }
 
-/// Multiplies a transposed matrix by four columns. A register holds the sums of neighbouring rows in one column.
+/// Multiplies a transposed matrix by four columns, a few of its columns at a time, so that memory is read in order. A
+/// register holds the sums of neighbouring rows in one column.
 #[inline(always)]
 fn rows_in_registers<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
-    let height = 2 * S::F32_LANES;
-    for row in (0..a.rows).step_by(height) {
-        let mut sums = [[simd.splat_f32s(0.0); 2]; 4];
-        for k in 0..a.columns {
-            let left = &a.data[k * a.column_stride + row..][..height];
-            let left = [load::<S>(left, 0), load::<S>(left, S::F32_LANES)];
-            let right = &b.data[k * b.row_stride..][..4];
-            for (sums, right) in sums.iter_mut().zip(right) {
-                multiply_add(simd, sums, *right, left);
+    let mut totals = vec![0.0; 4 * a.rows];
+    for k in (0..a.columns).step_by(DEPTH) {
+        let left: [&[f32]; DEPTH] = std::array::from_fn(|index| &a.data[(k + index) * a.column_stride..][..a.rows]);
+        let right: [&[f32]; DEPTH] = std::array::from_fn(|index| &b.data[(k + index) * b.row_stride..][..4]);
+        for (row, totals) in totals.chunks_exact_mut(4 * S::F32_LANES).enumerate() {
+            let totals = S::as_mut_simd_f32s(totals).0;
+            let mut sums: [S::f32s; 4] = std::array::from_fn(|column| totals[column]);
+            for index in 0..DEPTH {
+                let left = load::<S>(left[index], row * S::F32_LANES);
+                for column in 0..4 {
+                    multiply_add::<S, false, _>(
+                        simd,
+                        std::array::from_mut(&mut sums[column]),
+                        right[index][column],
+                        [left],
+                    );
+                }
             }
+            totals.copy_from_slice(&sums);
         }
-        let sums: [&[f32]; 4] = sums.each_ref().map(|sums| bytemuck::cast_slice(sums));
-        for (index, out) in out[row * stride..].chunks_mut(stride).take(height).enumerate() {
-            for (out, sums) in out.iter_mut().zip(sums) {
-                *out = sums[index];
+    }
+    for (row, totals) in totals.chunks_exact(4 * S::F32_LANES).enumerate() {
+        for lane in 0..S::F32_LANES {
+            let out = &mut out[(row * S::F32_LANES + lane) * stride..][..4];
+            for column in 0..4 {
+                out[column] = totals[column * S::F32_LANES + lane];
             }
         }
     }
@@ -206,24 +236,17 @@ fn one_register<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: 
             let out = &mut S::as_mut_simd_f32s(&mut out[..S::F32_LANES]).0[0];
             let mut sum = [if k == 0 { simd.splat_f32s(0.0) } else { *out }];
             for (left, right) in left.iter().zip(right) {
-                multiply_add(simd, &mut sum, left[row], [right]);
+                multiply_add::<S, false, _>(simd, &mut sum, left[row], [right]);
             }
             *out = sum[0];
         }
     }
 }
 
-/// Multiplies a matrix by one column.
+/// Multiplies a transposed matrix by one column.
 #[inline(always)]
-fn matvec(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+fn transposed_by_column(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     let right: Vec<f32> = (0..b.rows).map(|k| b.data[k * b.row_stride]).collect();
-    if a.column_stride == 1 {
-        for row in 0..a.rows {
-            let left = &a.data[row * a.row_stride..][..a.columns];
-            out[row * stride] = dot(left, &right);
-        }
-        return;
-    }
     let mut sums = vec![0.0; a.rows];
     let (fours, rest) = right.as_chunks::<4>();
     for (index, right) in fours.iter().enumerate() {
@@ -247,18 +270,62 @@ fn matvec(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     }
 }
 
-/// Uses sixteen partial sums, so that no addition waits for the previous one.
+/// Multiplies a matrix by up to four columns, `ROWS` rows and `COLUMNS` columns at a time. Each element is a scalar
+/// product of `WIDEST` partial sums, which take `REGISTERS` registers.
+#[expect(clippy::needless_range_loop, reason = "iterators make the code slower")]
 #[inline(always)]
-fn dot(left: &[f32], right: &[f32]) -> f32 {
-    let mut sums = [0.0; 16];
-    let ((left, left_rest), (right, right_rest)) = (left.as_chunks::<16>(), right.as_chunks::<16>());
-    for (left, right) in left.iter().zip(right) {
-        for (sum, (left, right)) in sums.iter_mut().zip(left.iter().zip(right)) {
-            *sum += left * right;
+fn scalar_products<S: Simd, const REGISTERS: usize, const ROWS: usize, const COLUMNS: usize>(
+    simd: S,
+    out: &mut [f32],
+    stride: usize,
+    a: Matrix,
+    b: Matrix,
+) {
+    let depth = a.columns;
+    let mut columns = vec![0.0; b.columns * depth];
+    for (column, values) in columns.chunks_exact_mut(depth).enumerate() {
+        for (value, row) in values.iter_mut().zip(b.data.chunks(b.row_stride)) {
+            *value = row[column];
         }
     }
-    let rest: f32 = left_rest.iter().zip(right_rest).map(|(left, right)| left * right).sum();
-    sums.iter().sum::<f32>() + rest
+    let whole = depth / WIDEST * WIDEST;
+    for row in (0..a.rows).step_by(ROWS) {
+        let left: [&[f32]; ROWS] = std::array::from_fn(|index| &a.data[(row + index) * a.row_stride..][..depth]);
+        for column in (0..b.columns).step_by(COLUMNS) {
+            let right: [&[f32]; COLUMNS] = std::array::from_fn(|index| &columns[(column + index) * depth..][..depth]);
+            let mut sums = [[[simd.splat_f32s(0.0); REGISTERS]; COLUMNS]; ROWS];
+            for at in (0..whole).step_by(WIDEST) {
+                for register in 0..REGISTERS {
+                    let at = at + register * S::F32_LANES;
+                    let right: [S::f32s; COLUMNS] = std::array::from_fn(|column| load::<S>(right[column], at));
+                    for row in 0..ROWS {
+                        let left = load::<S>(left[row], at);
+                        for column in 0..COLUMNS {
+                            let sum = &mut sums[row][column][register];
+                            *sum = simd.add_f32s(*sum, simd.mul_f32s(left, right[column]));
+                        }
+                    }
+                }
+            }
+            // A copy, so that the sums of the loop stay in registers.
+            let sums = sums;
+            for (row, (sums, left)) in (row..).zip(sums.iter().zip(left)) {
+                for (column, (sums, right)) in (column..).zip(sums.iter().zip(right)) {
+                    let pairs = left[whole..].iter().zip(&right[whole..]);
+                    let rest: f32 = pairs.map(|(left, right)| left * right).sum();
+                    out[row * stride + column] = sum(bytemuck::cast_slice(sums)) + rest;
+                }
+            }
+        }
+    }
+}
+
+/// Adds the halves of `WIDEST` values until one is left.
+#[inline(always)]
+fn sum(values: &[f32]) -> f32 {
+    let eight: [f32; 8] = std::array::from_fn(|index| values[index] + values[index + 8]);
+    let four: [f32; 4] = std::array::from_fn(|index| eight[index] + eight[index + 4]);
+    (four[0] + four[2]) + (four[1] + four[3])
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -279,6 +346,23 @@ mod tests {
                 super::gemm(&mut gemm, columns, a, b);
                 let worst = ours.iter().zip(&gemm).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
                 assert!(worst < 1e-3 && gemm.iter().any(|x| x.abs() > 1.0), "{rows} x {depth} x {columns}: {worst}");
+            }
+        }
+    }
+
+    /// Maps must be the same on every machine and in wasm, whose registers have four lanes.
+    #[test]
+    fn the_number_of_lanes_changes_no_bit() {
+        let values = |count: usize| -> Vec<f32> { (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect() };
+        for (rows, depth, columns) in [(64, 512, 16), (128, 1024, 4), (256, 512, 1)] {
+            let (a, b) = (values(rows * depth), values(depth * columns));
+            let b = Matrix::new(&b, depth, columns, columns);
+            for a in [Matrix::new(&a, rows, depth, depth), Matrix::new(&a, depth, rows, rows).transposed()] {
+                let mut wide = vec![0.0; rows * columns];
+                let mut narrow = wide.clone();
+                few_columns(&mut wide, columns, a, b);
+                Simd::vectorize(pulp::Scalar128b, FewColumns { out: &mut narrow, stride: columns, a, b });
+                assert!(wide == narrow, "{rows} x {depth} x {columns}");
             }
         }
     }

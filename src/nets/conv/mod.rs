@@ -117,10 +117,7 @@ impl StridedConv for burn::backend::NdArray {}
 
 impl StridedConv for Flex {
     fn conv_down(x: FloatTensor<Flex>, weight: FloatTensor<Flex>, bias: FloatTensor<Flex>) -> FloatTensor<Flex> {
-        let geometry = geometry(&weight, x.shape()[2] / 2);
-        let [x, weight, bias] = [x, weight, bias].map(|tensor| tensor.to_contiguous());
-        let y = Layer { geometry, weight: slice(&weight) }.conv_down(slice(&x), slice(&bias));
-        images(y, geometry.coarse_channels, geometry.coarse_side)
+        flex_conv_down(x, weight, bias, false)
     }
 
     fn conv_up(
@@ -129,11 +126,35 @@ impl StridedConv for Flex {
         bias: FloatTensor<Flex>,
         relu: bool,
     ) -> FloatTensor<Flex> {
-        let geometry = geometry(&weight, x.shape()[2]);
-        let [x, weight, bias] = [x, weight, bias].map(|tensor| tensor.to_contiguous());
-        let y = Layer { geometry, weight: slice(&weight) }.conv_up(slice(&x), slice(&bias), relu);
-        images(y, geometry.fine_channels, 2 * geometry.coarse_side)
+        flex_conv_up(x, weight, bias, relu, false)
     }
+}
+
+/// `conv_down` on flex; `fused` as in `DirectConv`.
+fn flex_conv_down(
+    x: FloatTensor<Flex>,
+    weight: FloatTensor<Flex>,
+    bias: FloatTensor<Flex>,
+    fused: bool,
+) -> FloatTensor<Flex> {
+    let geometry = geometry(&weight, x.shape()[2] / 2);
+    let [x, weight, bias] = [x, weight, bias].map(|tensor| tensor.to_contiguous());
+    let y = Layer { geometry, weight: slice(&weight), fused }.conv_down(slice(&x), slice(&bias));
+    images(y, geometry.coarse_channels, geometry.coarse_side)
+}
+
+/// `conv_up` on flex; `fused` as in `DirectConv`.
+fn flex_conv_up(
+    x: FloatTensor<Flex>,
+    weight: FloatTensor<Flex>,
+    bias: FloatTensor<Flex>,
+    relu: bool,
+    fused: bool,
+) -> FloatTensor<Flex> {
+    let geometry = geometry(&weight, x.shape()[2]);
+    let [x, weight, bias] = [x, weight, bias].map(|tensor| tensor.to_contiguous());
+    let y = Layer { geometry, weight: slice(&weight), fused }.conv_up(slice(&x), slice(&bias), relu);
+    images(y, geometry.fine_channels, 2 * geometry.coarse_side)
 }
 
 fn geometry(weight: &FloatTensor<Flex>, coarse_side: usize) -> Geometry {

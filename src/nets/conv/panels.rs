@@ -73,7 +73,7 @@ impl WithSimd for Product<'_> {
                 for &(input, row) in &rows {
                     let x = [load::<S>(row, column), load::<S>(row, column + S::F32_LANES)];
                     for (sums, weight) in sums.iter_mut().zip(panel[input]) {
-                        multiply_add(simd, sums, weight, x);
+                        multiply_add::<S, false, _>(simd, sums, weight, x);
                     }
                 }
                 for (y, sums) in y.iter_mut().zip(sums) {

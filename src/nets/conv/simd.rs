@@ -1,9 +1,9 @@
 //! Vector registers through pulp, which selects the processor's instructions at run time: AVX-512, AVX2 or SSE4.1 on
 //! x86-64, and simd128 in wasm.
 //!
-//! The kernels of the forward pass do not fuse multiplications with additions, and the order of each sum does not
-//! depend on the number of lanes. All instruction sets, including wasm's, therefore compute the same maps, bit for bit.
-//! `weight_gradient` and gemm, which multiplies only batches, do fuse, so trained weights depend on the processor.
+//! When a net is applied, no kernel fuses multiplications with additions, and the order of each sum does not depend on
+//! the number of lanes. All instruction sets, including wasm's, therefore compute the same maps, bit for bit. Training
+//! does fuse, which is faster, and so does gemm, which multiplies only batches: trained weights depend on the processor.
 
 use pulp::{Simd, WithSimd};
 
@@ -54,9 +54,10 @@ pub(crate) fn load<S: Simd>(values: &[f32], at: usize) -> S::f32s {
     S::as_simd_f32s(&values[at..at + S::F32_LANES]).0[0]
 }
 
-/// Adds the products of a weight and some registers to sums. Each product and each sum is rounded.
+/// Adds the products of a weight and some registers to sums. Each product and each sum is rounded, unless they are
+/// `FUSED`, which rounds both at once where the processor can.
 #[inline(always)]
-pub(crate) fn multiply_add<S: Simd, const REGISTERS: usize>(
+pub(crate) fn multiply_add<S: Simd, const FUSED: bool, const REGISTERS: usize>(
     simd: S,
     sums: &mut [S::f32s; REGISTERS],
     weight: f32,
@@ -64,6 +65,6 @@ pub(crate) fn multiply_add<S: Simd, const REGISTERS: usize>(
 ) {
     let weight = simd.splat_f32s(weight);
     for (sum, x) in sums.iter_mut().zip(x) {
-        *sum = simd.add_f32s(*sum, simd.mul_f32s(weight, x));
+        *sum = if FUSED { simd.mul_add_e_f32s(weight, x, *sum) } else { simd.add_f32s(*sum, simd.mul_f32s(weight, x)) };
     }
 }
