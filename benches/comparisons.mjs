@@ -91,7 +91,7 @@ const native = (what, bench) => [
   ],
 ];
 
-// Ours also finds out which balls fit; the peers run the nets alone.
+// In wasm ours also finds out which balls fit, as the page needs it; the peers run the nets alone.
 const FIVE_MAPS = "five maps of a scene";
 
 export const parts = {
