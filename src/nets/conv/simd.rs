@@ -3,7 +3,8 @@
 //!
 //! When a net is applied, no kernel fuses multiplications with additions, and the order of each sum does not depend on
 //! the number of lanes. All instruction sets, including wasm's, therefore compute the same maps, bit for bit. Training
-//! does fuse, which is faster, and so does gemm, which multiplies only batches: trained weights depend on the processor.
+//! does fuse, which is faster, and so does gemm, which multiplies only batches: trained weights depend on the
+//! processor.
 
 use pulp::{Simd, WithSimd};
 
