@@ -108,7 +108,7 @@ export const exhibits: ExhibitText = {
 
     means: "Mittelwerte über alle zehn Aufteilungen, neben veröffentlichten",
     meansAbout:
-      "AUCCESS, ± Standardabweichung über die Aufteilungen. Die meisten Netze wurden für jede Aufteilung neu und nur kurz trainiert, darum liegen diese Zahlen unter denen oben. Die meisten unserer wurden in Version 3 des Simulators gemessen, die etwas anders rechnete als der von PHYRE. RAND, die mit † oder ‡ und die Rätsel hier laufen in Version 4, die genauso rechnet.",
+      "AUCCESS, ± Standardabweichung über die Aufteilungen. Die meisten Netze wurden für jede Aufteilung neu und nur kurz trainiert, darum liegen diese Zahlen unter denen oben. Die meisten unserer Werte wurden in Version 3 des Simulators gemessen, die etwas anders rechnete als der von PHYRE. RAND, die Zeilen mit † oder ‡ und die Rätsel hier nutzen Version 4, die genauso rechnet.",
     within: "Bekannte Arten",
     cross: "Neue Arten",
     ours: "Unsere, Mittelwerte über zehn Aufteilungen",

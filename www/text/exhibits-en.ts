@@ -111,7 +111,7 @@ export const exhibits = {
 
     means: "Means over all ten splits, beside what others have published",
     meansAbout:
-      "AUCCESS, ± standard deviation over the splits. Most nets were trained briefly, anew for each split, so these figures are lower than those above. Most of ours were measured in version 3 of the simulator, which differed slightly from PHYRE’s. RAND, those marked † or ‡, and the puzzles here run in version 4, which does not.",
+      "AUCCESS, ± standard deviation over the splits. Most nets were trained briefly, anew for each split, so these figures are lower than those above. Most of ours were measured in version 3 of the simulator, which differed slightly from PHYRE’s. RAND, the rows marked † or ‡ and the puzzles here use version 4, which does not.",
     within: "Known kinds",
     cross: "New kinds",
     ours: "Ours, means over ten splits",

@@ -99,7 +99,7 @@ fn few_columns(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
 
 /// Returns whether `scalar_products` can multiply them.
 fn fits_scalar_products(a: Matrix, b: Matrix) -> bool {
-    a.column_stride == 1 && b.columns <= 4
+    a.column_stride == 1 && matches!(b.columns, 1 | 4)
 }
 
 /// Returns whether `rows_in_registers` can multiply them.
@@ -270,7 +270,7 @@ fn transposed_by_column(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     }
 }
 
-/// Multiplies a matrix by up to four columns, `ROWS` rows and `COLUMNS` columns at a time. Each element is a scalar
+/// Multiplies a matrix by one column or four, `ROWS` rows and `COLUMNS` columns at a time. Each element is a scalar
 /// product of `WIDEST` partial sums, which take `REGISTERS` registers.
 #[expect(clippy::needless_range_loop, reason = "iterators make the code slower")]
 #[inline(always)]
@@ -281,6 +281,7 @@ fn scalar_products<S: Simd, const REGISTERS: usize, const ROWS: usize, const COL
     a: Matrix,
     b: Matrix,
 ) {
+    assert!(a.rows.is_multiple_of(ROWS) && b.columns.is_multiple_of(COLUMNS), "whole tiles");
     let depth = a.columns;
     let mut columns = vec![0.0; b.columns * depth];
     for (column, values) in columns.chunks_exact_mut(depth).enumerate() {
@@ -332,10 +333,13 @@ fn sum(values: &[f32]) -> f32 {
 mod tests {
     use super::*;
 
+    fn values(count: usize) -> Vec<f32> {
+        (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect()
+    }
+
     /// The shapes that occur for one scene: tiles, four columns, one column; weights as stored and transposed.
     #[test]
     fn the_loops_for_few_columns_agree_with_gemm() {
-        let values = |count: usize| -> Vec<f32> { (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect() };
         for (rows, depth, columns) in [(8, 80, 1024), (64, 512, 16), (128, 1024, 4), (256, 512, 1)] {
             let (a, b) = (values(rows * depth), values(depth * (columns + 16)));
             let b = Matrix::new(&b, depth, columns, columns + 16);
@@ -353,7 +357,6 @@ mod tests {
     /// Maps must be the same on every machine and in wasm, whose registers have four lanes.
     #[test]
     fn the_number_of_lanes_changes_no_bit() {
-        let values = |count: usize| -> Vec<f32> { (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect() };
         for (rows, depth, columns) in [(64, 512, 16), (128, 1024, 4), (256, 512, 1)] {
             let (a, b) = (values(rows * depth), values(depth * columns));
             let b = Matrix::new(&b, depth, columns, columns);

@@ -29,7 +29,7 @@ impl WithSimd for WeightGradient<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        // A pair of taps of each channel is two registers of sums: half of the registers that there are.
+        // Each channel takes two registers of sums, one for each tap: together half of all registers.
         if S::F32_LANES == 16 { weight_gradient::<S, 8>(simd, self) } else { weight_gradient::<S, 4>(simd, self) }
     }
 }
