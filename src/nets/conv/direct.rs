@@ -52,13 +52,22 @@ impl DirectConv<'_> {
     /// Computes coarse images from fine ones.
     pub(crate) fn conv_down(self) {
         let lanes = lanes_that_divide(self.geometry.coarse_side);
-        if self.fused { vectorize(lanes, ConvDown::<true>(self)) } else { vectorize(lanes, ConvDown::<false>(self)) }
+        // Only training fuses, so the page's wasm does without that code.
+        if cfg!(feature = "training") && self.fused {
+            vectorize(lanes, ConvDown::<true>(self));
+        } else {
+            vectorize(lanes, ConvDown::<false>(self));
+        }
     }
 
     /// Computes fine images from coarse ones.
     pub(crate) fn conv_up(self) {
         let lanes = lanes_that_divide(self.geometry.coarse_side);
-        if self.fused { vectorize(lanes, ConvUp::<true>(self)) } else { vectorize(lanes, ConvUp::<false>(self)) }
+        if cfg!(feature = "training") && self.fused {
+            vectorize(lanes, ConvUp::<true>(self));
+        } else {
+            vectorize(lanes, ConvUp::<false>(self));
+        }
     }
 }
 
