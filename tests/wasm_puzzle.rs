@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{JSON, Number, Object, Reflect};
-use pathlight::nets::{Card, DynamicsCard, DynamicsNet, Optimiser, PathNet, PathWeights, SuccessCard};
+use pathlight::nets::{Card, DynamicsCard, DynamicsNet, LearnedFrom, Optimiser, PathNet, PathWeights, SuccessCard};
 use pathlight::web::{
     Model, OpenPuzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, custom_scene, difficulty, fold,
     luck, raster, scene_digest, scene_limits, scene_problems, simulate, soft_iou, templates, verify_attempt,
@@ -269,22 +269,18 @@ fn cards_have_the_fields_that_their_types_declare() {
     let barest = DynamicsCard {
         optimiser: Optimiser::Adam,
         path_weights: PathWeights::default(),
-        blends: 0,
         unlisted: 0,
         random_scenes: 0,
-        random_scenes_alone: false,
-        without_paths: false,
+        learned_from: LearnedFrom::Tasks,
         from: None,
         ..dynamics.clone()
     };
     let fullest = DynamicsCard {
         optimiser: Optimiser::Muon,
         path_weights: PathWeights { all: 2.0, solving: 4.0 },
-        blends: 1,
         unlisted: 1,
         random_scenes: 1,
-        random_scenes_alone: true,
-        without_paths: true,
+        learned_from: LearnedFrom::RandomScenes,
         from: Some("0".repeat(64)),
         ..dynamics
     };

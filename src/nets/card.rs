@@ -28,7 +28,7 @@ impl FoldId {
     }
 }
 
-/// The settings that the weights were trained with. Aliases are keys of older files.
+/// The settings that the weights were trained with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Card {
     /// What the nets must generalise to.
@@ -143,8 +143,36 @@ impl Default for PathWeights {
     }
 }
 
+/// The scenes that a dynamics net has learned from, it and the nets that it started from or that proposed its balls.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LearnedFrom {
+    /// Random scenes alone.
+    RandomScenes,
+    /// Unlisted tasks of all templates, and perhaps random scenes.
+    UnlistedTasks,
+    /// Tasks of the benchmark, and perhaps others.
+    #[default]
+    Tasks,
+}
+
+impl LearnedFrom {
+    /// Whether such a net has seen nothing that any fold of this setup tests on, so that one net serves all its folds.
+    pub fn serves_all_folds(self, setup: Setup) -> bool {
+        match self {
+            LearnedFrom::RandomScenes => true,
+            LearnedFrom::UnlistedTasks => setup == Setup::Within,
+            LearnedFrom::Tasks => false,
+        }
+    }
+
+    fn is_tasks(&self) -> bool {
+        *self == LearnedFrom::Tasks
+    }
+}
+
 /// The settings that a dynamics net was trained with. It has seen the same tasks as the nets, or none: see
-/// `random_scenes_alone`.
+/// `learned_from`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DynamicsCard {
     /// Seed of the initial weights and of the order of the scenes.
@@ -167,31 +195,18 @@ pub struct DynamicsCard {
     pub path_weights: PathWeights,
     /// Number of labelled balls that the batches are drawn from.
     pub balls: usize,
-    /// Whether the net reads the covered share of each cell. Older nets read only which cells are set; `PathNet::load`
-    /// refuses them.
-    #[serde(default)]
-    pub coverage: bool,
-    /// Number of scenes that are variants of the tasks' scenes.
-    #[serde(default)]
-    pub variants: usize,
-    /// Number of scenes that are blends of two tasks' scenes.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub blends: usize,
     /// Number of scenes that are unlisted tasks: laid out by a template's script, not listed by the benchmark.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub unlisted: usize,
     /// Number of random scenes, which belong to no task.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub random_scenes: usize,
-    /// Whether it has seen only random scenes and no task. Nets of any fold may start from such a net.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub random_scenes_alone: bool,
+    /// The scenes that it has learned from, including those of the nets that it started from.
+    #[serde(default, skip_serializing_if = "LearnedFrom::is_tasks")]
+    pub learned_from: LearnedFrom,
     /// Whether the fold's dev tasks were left out, whatever the four nets have seen.
     #[serde(default)]
     pub without_dev: bool,
-    /// Whether the net learned only chances. What it imagines are then not paths.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub without_paths: bool,
     /// SHA-256 of the weights whose dynamics net training started from, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
@@ -219,8 +234,6 @@ pub struct DqnCard {
     pub learning_rate: f64,
     /// Number of labelled balls that the batches are drawn from.
     pub balls: usize,
-    /// Number of scenes that are variants of the tasks' scenes.
-    pub variants: usize,
     /// Whether the fold's dev tasks were left out of training, so that settings can be chosen on them.
     pub without_dev: bool,
 }

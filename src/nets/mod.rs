@@ -34,7 +34,7 @@ pub mod training;
 mod u_net;
 mod weights;
 
-pub use card::{Card, DqnCard, DynamicsCard, Optimiser, OtherFold, PathWeights, SuccessCard};
+pub use card::{Card, DqnCard, DynamicsCard, LearnedFrom, Optimiser, OtherFold, PathWeights, SuccessCard};
 #[cfg(not(target_arch = "wasm32"))]
 pub use dqn::Dqn;
 pub use dynamics::DynamicsNet;

@@ -46,10 +46,6 @@ pub enum WeightsError {
     OtherType { name: String, dtype: Dtype },
     #[error("`{name}` names the value {index}, which does not exist: download or train the weights again")]
     Outlier { name: String, index: u32 },
-    #[error(
-        "the dynamics net of the weights learned from set cells, but its input is now the covered shares of cells: train it again with `pathlight-lab train dynamics`"
-    )]
-    SetCells,
     #[error("`{0}` holds a number that is not finite: download or train the weights again")]
     NotFinite(String),
     #[error("the weights have {0} unknown tensors: they belong to other nets")]
@@ -71,11 +67,7 @@ impl PathNet {
         if file.names().iter().any(|name| name.starts_with("dynamics.")) {
             nets.dynamics = Some(DynamicsNet::new(device));
         }
-        let nets = load(nets, &file, device)?;
-        if card.dynamics.as_ref().is_some_and(|dynamics| !dynamics.coverage) {
-            return Err(WeightsError::SetCells);
-        }
-        Ok((nets, card))
+        Ok((load(nets, &file, device)?, card))
     }
 
     /// Returns the bytes of a weights file of these nets.
@@ -261,7 +253,6 @@ mod tests {
             optimiser: Optimiser::Muon,
             learning_rate: 1.0,
             balls: 1,
-            variants: 0,
             without_dev: false,
         };
         let bytes = Dqn::fresh(2).save(&card).expect("fresh weights are finite");

@@ -245,19 +245,13 @@ export interface SuccessCard extends Training {
 }
 
 /** How the dynamics net of weights was trained. */
-export interface DynamicsCard extends SuccessCard, Partial<Record<"blends" | "unlisted" | "random_scenes", number>> {
+export interface DynamicsCard extends SuccessCard, Partial<Record<"unlisted" | "random_scenes", number>> {
     imagined_per_scene: number;
     /** How much paths count in the loss, if not as by default; `solving`: those of balls that solve, to others. */
     path_weights?: { all: number; solving: number };
-    /** The net sees the covered share of each cell. */
-    coverage: boolean;
-    /** Of the scenes: variants of tasks. Others are blends of two, unlisted tasks, or random. */
-    variants: number;
-    /** It has seen random scenes alone, and no task. */
-    random_scenes_alone?: boolean;
+    /** The scenes that it has seen, if no tasks of PHYRE: random ones alone, or unlisted tasks too. */
+    learned_from?: "random_scenes" | "unlisted_tasks";
     without_dev: boolean;
-    /** The net learned chances alone: what it imagines are no paths. */
-    without_paths?: boolean;
     /** SHA-256 of the weights that it started from. */
     from?: string;
 }

@@ -100,8 +100,8 @@ pub struct Label {
     selection: SelectionArgs,
 
     /// Label the balls that the dynamics net in FILE proposes, likeliest first, instead of sampled ones; each round
-    /// takes the next 64. The net must belong to the fold of --setup; without --setup, it must have been trained on
-    /// random scenes alone
+    /// takes the next 64. The net must belong to the fold of --setup or have been trained on no task; in random scenes,
+    /// on random scenes alone
     #[arg(long, value_name = "FILE")]
     weights: Option<PathBuf>,
 
@@ -116,7 +116,7 @@ pub struct Label {
     random_scenes: Option<u32>,
 
     /// Label balls in unlisted tasks instead, up to N per template: tasks that its script lays out but the benchmark
-    /// does not list. Balls are sampled around solutions of the template's listed tasks
+    /// does not list
     #[arg(long, value_name = "N", value_parser = count(), conflicts_with = "limit")]
     unlisted: Option<usize>,
 

@@ -1,6 +1,7 @@
 //! Rules for which labelled balls a net may learn from, so that nothing about its test tasks leaks into training.
 
 use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::nets::LearnedFrom;
 
 /// Origin of the balls of a file.
 #[derive(Clone, Copy, Debug)]
@@ -13,17 +14,17 @@ pub struct LabelOrigin {
 
 /// Training data of the net that proposed the balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Proposer {
-    /// Random scenes alone: it has seen no task.
-    RandomScenes,
-    /// Training tasks of the fold, with or without its dev tasks.
-    Tasks { without_dev: bool },
+pub struct Proposer {
+    pub learned_from: LearnedFrom,
+    /// Whether the dev tasks of its fold were left out.
+    pub without_dev: bool,
 }
 
 /// Why a net may not learn from a file. The text follows the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
     NetOfUnknownFold,
+    NetKnowsAllTemplates,
     NetKnowsDevTasks,
     OtherFold { of: FoldId, learner: FoldId },
 }
@@ -33,12 +34,14 @@ pub enum Refusal {
 ///
 /// | balls were | using the training tasks of | the learner's setup | allowed? |
 /// | --- | --- | --- | --- |
-/// | proposed by a net that has seen no task | any fold, or all tasks | any | yes |
-/// | proposed by a net | an unknown fold | any | no: the net may have seen the learner's test tasks |
-/// | proposed by a net | another fold | any | no: the net has seen test tasks of the learner |
-/// | proposed by a net | its fold | any | yes |
-/// | proposed by a net trained on the dev tasks | its fold | any, without dev tasks | no |
-/// | proposed by a net trained without dev tasks | its fold | any, without dev tasks | yes |
+/// | proposed by a net of random scenes | any fold, or all tasks | any | yes |
+/// | proposed by a net of unlisted tasks | any fold, or all tasks | within | yes |
+/// | proposed by a net of unlisted tasks | any fold, or all tasks | cross | no: the net has seen the test templates |
+/// | proposed by a net of tasks | an unknown fold | any | no: the net may have seen the learner's test tasks |
+/// | proposed by a net of tasks | another fold | any | no: the net has seen test tasks of the learner |
+/// | proposed by a net of tasks | its fold | any | yes |
+/// | proposed by a net of tasks, also dev tasks | its fold | any, without dev tasks | no |
+/// | proposed by a net of tasks, not dev tasks | its fold | any, without dev tasks | yes |
 /// | sampled | any fold, or all tasks | cross | yes: they depend only on solutions of their own template |
 /// | sampled | its fold, or all tasks | within | yes, except balls near solutions of tasks outside its training tasks |
 /// | sampled | another fold | within | no: solutions of test tasks influenced where balls were sampled |
@@ -50,12 +53,13 @@ pub enum Refusal {
 /// If the net may not learn from the file.
 pub fn may_learn(origin: LabelOrigin, learner: FoldId, without_dev: bool) -> Result<(), Refusal> {
     match (origin.proposer, origin.training_tasks_of) {
-        (Some(Proposer::RandomScenes), _) => Ok(()),
-        (Some(Proposer::Tasks { .. }), None) => Err(Refusal::NetOfUnknownFold),
+        (Some(proposer), _) if proposer.learned_from.serves_all_folds(learner.setup) => Ok(()),
+        (Some(Proposer { learned_from: LearnedFrom::UnlistedTasks, .. }), _) => Err(Refusal::NetKnowsAllTemplates),
+        (Some(_), None) => Err(Refusal::NetOfUnknownFold),
         (None, _) if learner.setup == Setup::Cross => Ok(()),
         (_, Some(of)) if of != learner => Err(Refusal::OtherFold { of, learner }),
-        (Some(Proposer::Tasks { without_dev: false }), _) if without_dev => Err(Refusal::NetKnowsDevTasks),
-        (Some(Proposer::Tasks { .. }) | None, _) => Ok(()),
+        (Some(Proposer { without_dev: false, .. }), _) if without_dev => Err(Refusal::NetKnowsDevTasks),
+        _ => Ok(()),
     }
 }
 
@@ -64,6 +68,10 @@ impl std::fmt::Display for Refusal {
         match self {
             Refusal::NetOfUnknownFold => f.write_str(
                 "does not name the fold of the net that proposed its balls: label again with --setup and --fold",
+            ),
+            Refusal::NetKnowsAllTemplates => f.write_str(
+                "holds balls proposed by a net that has learned from unlisted tasks of every template: only a net \
+                 within templates may learn from them",
             ),
             Refusal::NetKnowsDevTasks => f.write_str(
                 "holds balls proposed by a net that may have learned from the fold's dev tasks: leave it out, or label \
@@ -88,8 +96,10 @@ mod tests {
 
     #[test]
     fn a_net_learns_from_nothing_that_knows_what_it_must_not() {
-        use Refusal::{NetKnowsDevTasks, NetOfUnknownFold, OtherFold};
-        let (of_tasks, of_train) = (Proposer::Tasks { without_dev: false }, Proposer::Tasks { without_dev: true });
+        use Refusal::{NetKnowsAllTemplates, NetKnowsDevTasks, NetOfUnknownFold, OtherFold};
+        let of = |learned_from, without_dev| Proposer { learned_from, without_dev };
+        let (of_tasks, of_train) = (of(LearnedFrom::Tasks, false), of(LearnedFrom::Tasks, true));
+        let (of_random, of_unlisted) = (of(LearnedFrom::RandomScenes, false), of(LearnedFrom::UnlistedTasks, false));
         for learner in [WITHIN, CROSS] {
             let told = |proposer, training_tasks_of, without_dev| {
                 may_learn(LabelOrigin { training_tasks_of, proposer }, learner, without_dev)
@@ -97,7 +107,9 @@ mod tests {
             let other = Err(OtherFold { of: OTHER, learner });
             for without_dev in [false, true] {
                 for of in [None, Some(WITHIN), Some(CROSS), Some(OTHER)] {
-                    assert_eq!(told(Some(Proposer::RandomScenes), of, without_dev), Ok(()));
+                    assert_eq!(told(Some(of_random), of, without_dev), Ok(()));
+                    let expected = if learner == WITHIN { Ok(()) } else { Err(NetKnowsAllTemplates) };
+                    assert_eq!(told(Some(of_unlisted), of, without_dev), expected);
                 }
                 assert_eq!(told(Some(of_tasks), None, without_dev), Err(NetOfUnknownFold));
                 assert_eq!(told(Some(of_train), Some(OTHER), without_dev), other);

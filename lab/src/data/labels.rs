@@ -75,16 +75,16 @@ pub type Sampled = (Ball, Option<TaskId>);
 /// A ball with its outcome and paths.
 pub struct Tried {
     pub ball: Ball,
-    pub sibling: Option<TaskId>,
+    sibling: Option<TaskId>,
     pub solved: bool,
     paths: SampledPaths,
 }
 
 /// Samples up to `count` valid balls of a scene. `own_solutions` solve it, `sibling_solutions` solve other tasks of its
-/// template. A ball sampled around an own solution inherits the sibling of that solution.
+/// template.
 pub fn sample(
     (id, scene): (SceneId, &Scene),
-    own_solutions: &[Sampled],
+    own_solutions: &[Ball],
     sibling_solutions: &[Solution],
     count: usize,
     rng: &mut Pcg64Mcg,
@@ -92,7 +92,7 @@ pub fn sample(
     let mut balls = Vec::with_capacity(count);
     let obstacles = Obstacles::new(scene);
     for index in 0..count {
-        let own = |rng: &mut _| own_solutions.choose(rng).copied();
+        let own = |rng: &mut _| own_solutions.choose(rng).map(|&ball| (ball, None));
         let sibling = |rng: &mut _| sibling_solutions.choose(rng).map(|known| (known.ball, Some(known.task)));
         let known = match index % 4 {
             0 | 1 => None,

@@ -28,15 +28,15 @@ pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, 
     Ok((nets, card))
 }
 
-/// Reads nets and their card; without a path, the shipped ones. The dynamics net belongs to this fold or was trained on
-/// random scenes alone; in the latter case, the other nets may belong to another fold.
+/// Reads nets and their card; without a path, the shipped ones. The dynamics net belongs to this fold or serves all
+/// folds of its setup; in the latter case, the other nets may belong to another fold.
 ///
 /// # Errors
 /// Same as for `load_nets`.
 pub fn load_nets_for_dynamics(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
     let path = weights_path(path, fold);
     let (nets, card) = load_nets_of_any_fold(&path)?;
-    if !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.random_scenes_alone) {
+    if !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.learned_from.serves_all_folds(fold.setup)) {
         card.fold_id().check(fold).with_context(|| format!("cannot use {}", path.display()))?;
     }
     Ok((nets, card))

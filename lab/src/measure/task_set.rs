@@ -2,7 +2,7 @@
 
 use anyhow::ensure;
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::Card;
+use pathlight::nets::{Card, LearnedFrom};
 use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Serialize};
 
@@ -61,7 +61,8 @@ impl TaskSet {
     /// If it may have seen one.
     pub fn check_dynamics(self, card: &Card) -> anyhow::Result<()> {
         let dynamics = card.dynamics.as_ref();
-        let without_dev = dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.random_scenes_alone);
+        let without_dev =
+            dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.learned_from != LearnedFrom::Tasks);
         self.check(without_dev, "dynamics")
     }
 }

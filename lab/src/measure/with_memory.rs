@@ -23,6 +23,9 @@ pub fn scores(
     seed: u64,
     progress: &mut dyn Progress,
 ) -> anyhow::Result<Vec<Score>> {
+    if players.is_empty() {
+        return Ok(Vec::new());
+    }
     progress.begin(players.len() as u64);
     let play = |&player: &Player| Ok(Score::new(player, first_solved(player, loaded, tasks, seed)?));
     let scores = players.par_iter().map(play).collect::<anyhow::Result<Vec<_>>>()?;

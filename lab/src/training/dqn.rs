@@ -57,7 +57,6 @@ impl Settings {
             optimiser,
             learning_rate,
             balls: scenes.balls(),
-            variants: 0,
             without_dev: self.without_dev,
         };
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dqn"));

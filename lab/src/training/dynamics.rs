@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DynamicsBatch, Trainer};
-use pathlight::nets::{DynamicsCard, DynamicsNet, Optimiser, PathWeights};
+use pathlight::nets::{DynamicsCard, DynamicsNet, LearnedFrom, Optimiser, PathWeights};
 use pathlight::raster::scene_coverage;
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
@@ -99,7 +99,7 @@ impl Settings {
         let without_dev = self.without_dev || card.without_dev;
         let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
         let from = self.from.as_deref().map(|path| self.dynamics_of(path, without_dev)).transpose()?;
-        let starts_without_tasks = from.as_ref().is_none_or(|(_, card)| card.random_scenes_alone);
+        let began_with = from.as_ref().map_or(LearnedFrom::RandomScenes, |(_, card)| card.learned_from);
         card.success = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.run.seed,
@@ -111,14 +111,10 @@ impl Settings {
             learning_rate,
             path_weights,
             balls: scenes.balls(),
-            coverage: true,
-            variants: 0,
-            blends: 0,
             unlisted: scenes.unlisted(),
             random_scenes: scenes.random(),
-            random_scenes_alone: scenes.are_random() && starts_without_tasks,
+            learned_from: scenes.learned_from().max(began_with),
             without_dev,
-            without_paths: false,
             from: self.from.as_deref().map(digest).transpose()?,
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
@@ -145,8 +141,8 @@ impl Settings {
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 
-    /// Loads the dynamics net of a weights file, which must belong to this fold unless the net was trained on random
-    /// scenes alone. With `without_dev`, the net must not have been trained on the dev tasks.
+    /// Loads the dynamics net of a weights file, which must belong to this fold unless the net serves all folds. With
+    /// `without_dev`, the net must not have been trained on the dev tasks.
     fn dynamics_of(&self, path: &Path, without_dev: bool) -> anyhow::Result<(DynamicsNet, DynamicsCard)> {
         let name = path.display();
         let (nets, card) = load_nets_of_any_fold(path)?;
@@ -154,7 +150,7 @@ impl Settings {
         let trained = nets.dynamics.zip(card.dynamics);
         let (net, card) = trained
             .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
-        if !card.random_scenes_alone {
+        if !card.learned_from.serves_all_folds(self.fold.setup) {
             trained_on.check(self.fold).with_context(|| format!("cannot use {name}"))?;
             ensure!(
                 card.without_dev || !without_dev,

@@ -5,7 +5,8 @@ use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::PathBuf;
 
 use anyhow::{anyhow, ensure};
-use pathlight::benchmark::folds::FoldId;
+use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::nets::LearnedFrom;
 use pathlight::nets::ball_head::Starts;
 use pathlight::nets::training::{Schedule, WARMUP_STEPS};
 use pathlight::puzzle::action::Ball;
@@ -21,8 +22,12 @@ use crate::data::label_use::{LabelOrigin, may_learn};
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
 use crate::data::scene_id::SceneId;
 
-/// The scenes that a net of a fold may learn from, with their labelled balls; at least one.
-pub struct LabelledScenes(Vec<LabelledScene>);
+/// The scenes that a net of a fold may learn from, with their labelled balls.
+pub struct LabelledScenes {
+    /// At least one.
+    scenes: Vec<LabelledScene>,
+    learned_from: LearnedFrom,
+}
 
 /// A scene and its labelled balls.
 pub struct LabelledScene {
@@ -119,6 +124,7 @@ impl LabelledScenes {
     pub fn read(files: &[PathBuf], fold: FoldId, without_dev: bool) -> anyhow::Result<LabelledScenes> {
         let tasks = training_tasks(fold, without_dev);
         let mut scenes: BTreeMap<SceneId, LabelledScene> = BTreeMap::new();
+        let mut learned_from = LearnedFrom::RandomScenes;
         for (index, path) in files.iter().enumerate() {
             ensure!(!files[..index].contains(path), "{} is named twice: name each file once", path.display());
             let labelled = read_labels(path)?;
@@ -130,6 +136,7 @@ impl LabelledScenes {
             let training_tasks_of = labelled.training_tasks_of.map(|(setup, fold)| FoldId { setup, fold });
             let origin = LabelOrigin { training_tasks_of, proposer: labelled.proposer };
             may_learn(origin, fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
+            learned_from = learned_from.max(origin.proposer.map_or(learned_from, |proposer| proposer.learned_from));
             for line in labelled.lines {
                 if trains_on(line.scene, &tasks) && line.count() > 0 {
                     let scene = match scenes.entry(line.scene) {
@@ -146,7 +153,14 @@ impl LabelledScenes {
             !scenes.is_empty(),
             "the labels hold no balls of the training tasks of {fold}: label all templates in at least one round"
         );
-        Ok(LabelledScenes(scenes.into_values().collect()))
+        let of_scenes = scenes.keys().map(|scene| match scene {
+            SceneId::Random(_) => LearnedFrom::RandomScenes,
+            // Across templates, a fold has unlisted tasks of its own.
+            SceneId::Unlisted(..) if fold.setup == Setup::Within => LearnedFrom::UnlistedTasks,
+            SceneId::Unlisted(..) | SceneId::Task(_) => LearnedFrom::Tasks,
+        });
+        let learned_from = of_scenes.fold(learned_from, Ord::max);
+        Ok(LabelledScenes { scenes: scenes.into_values().collect(), learned_from })
     }
 
     /// Returns the scenes, for a net whose card does not count unlisted tasks and random scenes.
@@ -162,27 +176,27 @@ impl LabelledScenes {
 
     /// The number of balls.
     pub fn balls(&self) -> usize {
-        self.0.iter().map(|scene| scene.balls.len()).sum()
+        self.scenes.iter().map(|scene| scene.balls.len()).sum()
     }
 
     /// The number of scenes that are unlisted tasks.
     pub fn unlisted(&self) -> usize {
-        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Unlisted(..))).count()
+        self.scenes.iter().filter(|scene| matches!(scene.id, SceneId::Unlisted(..))).count()
     }
 
     /// The number of random scenes.
     pub fn random(&self) -> usize {
-        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Random(_))).count()
+        self.scenes.iter().filter(|scene| matches!(scene.id, SceneId::Random(_))).count()
     }
 
-    /// Whether all scenes are random.
-    pub fn are_random(&self) -> bool {
-        self.random() == self.0.len()
+    /// What a net that learns from them has learned from, including the nets that proposed the balls.
+    pub fn learned_from(&self) -> LearnedFrom {
+        self.learned_from
     }
 
     /// The number of batches that cover every scene once.
     fn batches_per_epoch(&self, batch: u16) -> usize {
-        self.0.len().div_ceil(batch.into())
+        self.scenes.len().div_ceil(batch.into())
     }
 
     /// The plan of a run on these scenes: the learning rate rises to its peak, and decays linearly to zero.
@@ -202,7 +216,7 @@ impl LabelledScenes {
         let batches_per_epoch = self.batches_per_epoch(batch);
         let (epoch, place) = (number / batches_per_epoch, number % batches_per_epoch);
         let seed = seed.wrapping_mul(1_000_000);
-        let mut order: Vec<&LabelledScene> = self.0.iter().collect();
+        let mut order: Vec<&LabelledScene> = self.scenes.iter().collect();
         order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
         let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
         let size = usize::from(batch);
@@ -215,8 +229,6 @@ impl LabelledScenes {
 
 #[cfg(test)]
 mod tests {
-    use pathlight::benchmark::folds::Setup;
-
     use super::*;
 
     #[test]

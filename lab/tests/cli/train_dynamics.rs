@@ -2,13 +2,11 @@
 
 use std::fs;
 
-use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::nets::{Optimiser, PathNet, PathWeights};
+use pathlight::nets::{LearnedFrom, Optimiser, PathNet, PathWeights};
 use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight_lab::data::label::read_labels;
-use pathlight_lab::data::labels::LabelledBalls;
 use tempfile::tempdir;
 
 use super::label::label;
@@ -79,7 +77,6 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     output_of(&[&words[..], &["--weights", &from, "--out", &proposed]].concat());
     let further = train("further", &["--from", &from, "--labels", &proposed]);
     assert_ne!(fs::read(further).expect("weights"), bytes);
-    let training = Fold::new(Setup::Within, 0).all_train();
     let random = file("random.jsonl");
     output_of(&["data", "label", "--random-scenes", "7", "--rounds", "1", "--out", &random]);
     let with_random = fs::read(train("random", &["--from", &from, "--labels", &random])).expect("weights");
@@ -89,7 +86,8 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     output_of(&["data", "label", "--unlisted", "2", "--rounds", "1", "--out", &unlisted]);
     let with_unlisted = fs::read(train("unlisted", &["--from", &from, "--labels", &unlisted])).expect("weights");
     let (_, card) = PathNet::load(&with_unlisted).expect("weights that fit");
-    let solvable = solvable_unlisted_tasks(&unlisted, &training);
+    let lines = read_labels(unlisted.as_ref()).expect("labels").lines;
+    let solvable = lines.iter().filter(|line| !line.solved.is_empty()).count();
     assert!((1..2 * TEMPLATES.len()).contains(&solvable), "some are solved and some are not");
     assert_eq!(card.dynamics.expect("a card").unlisted, solvable);
     for net in ["success", "dqn"] {
@@ -120,16 +118,8 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     assert_refused(&cross, "holds balls of the training tasks of within 0 only");
 }
 
-/// Counts the unlisted tasks in a file that some ball solves from which a net may learn.
-fn solvable_unlisted_tasks(path: &str, training: &[TaskId]) -> usize {
-    let may_learn = |sibling: Option<&TaskId>| sibling.is_none_or(|task| training.contains(task));
-    let lines = read_labels(path.as_ref()).expect("labels").lines;
-    let solved = |line: &LabelledBalls| (0..line.solved.len()).any(|ball| may_learn(line.siblings[ball].as_ref()));
-    lines.iter().filter(|line| solved(line)).count()
-}
-
 #[test]
-fn a_net_that_has_seen_random_scenes_alone_is_measured_on_any_fold_and_starts_any() {
+fn a_net_that_has_seen_no_task_is_measured_on_any_fold_and_starts_any() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (random, labels) = (file("random.jsonl"), label(folder.path(), "1"));
@@ -140,15 +130,16 @@ fn a_net_that_has_seen_random_scenes_alone_is_measured_on_any_fold_and_starts_an
         output_of(&[&words[..], &["--imagined-per-scene", "8", "--out", &file(run)], more].concat());
         let weights = file(&format!("{run}/weights.safetensors"));
         let (_, card) = PathNet::load(&fs::read(&weights).expect("weights")).expect("weights that fit");
-        (weights, card.dynamics.expect("a card").random_scenes_alone)
+        (weights, card.dynamics.expect("a card").learned_from)
     };
-    let (alone, is_alone) = train("alone", &random, &["--weights", WEIGHTS]);
-    assert!(is_alone);
+    let (alone, learned_from) = train("alone", &random, &["--weights", WEIGHTS]);
+    assert_eq!(learned_from, LearnedFrom::RandomScenes);
     let cross = ["--setup", "cross", "--from", &alone];
-    let (more, is_alone) = train("more", &random, &cross);
-    assert!(is_alone, "what it starts from has seen no task either");
-    assert!(!train("tasks", &labels, &["--setup", "cross", "--from", &more]).1);
-    assert!(!train("after-tasks", &random, &["--weights", WEIGHTS, "--from", WEIGHTS]).1);
+    let (more, learned_from) = train("more", &random, &cross);
+    assert_eq!(learned_from, LearnedFrom::RandomScenes, "what it starts from has seen no task either");
+    assert_eq!(train("tasks", &labels, &["--setup", "cross", "--from", &more]).1, LearnedFrom::Tasks);
+    let after_tasks = ["--weights", WEIGHTS, "--from", WEIGHTS];
+    assert_eq!(train("after-tasks", &random, &after_tasks).1, LearnedFrom::Tasks);
 
     // Nets of any fold may learn from the balls that it proposes, in random scenes and in tasks.
     let label = ["data", "label", "--rounds", "1", "--weights"];
@@ -158,10 +149,31 @@ fn a_net_that_has_seen_random_scenes_alone_is_measured_on_any_fold_and_starts_an
     assert_eq!((lines.len(), lines[0].count(), lines[6].count()), (7, 64, 64));
     assert!(lines[1..6].iter().all(|line| line.count() == 0 || !line.solved.is_empty()));
     assert_ne!(lines[0], read_labels(random.as_ref()).expect("labels").lines[0], "they are other balls");
-    assert!(train("proposed-random", &in_random, &cross).1);
+    assert_eq!(train("proposed-random", &in_random, &cross).1, LearnedFrom::RandomScenes);
     output_of(&[&label[..], &[&alone, "--template", "2", "--limit", "6", "--out", &in_tasks]].concat());
-    assert!(!train("proposed-tasks", &in_tasks, &["--setup", "within", "--from", &alone]).1);
-    assert!(!train("proposed-tasks-cross", &in_tasks, &cross).1);
+    assert_eq!(train("proposed-tasks", &in_tasks, &["--from", &alone]).1, LearnedFrom::Tasks);
+    assert_eq!(train("proposed-tasks-cross", &in_tasks, &cross).1, LearnedFrom::Tasks);
+
+    // A net of unlisted tasks serves all folds within, and none across templates.
+    let in_unlisted = file("unlisted.jsonl");
+    let unlisted = ["--unlisted", "1", "--template", "2", "--out", &in_unlisted];
+    output_of(&[&label[..], &[&alone], &unlisted[..]].concat());
+    let (of_unlisted, learned_from) = train("of-unlisted", &in_unlisted, &["--from", &alone]);
+    assert_eq!(learned_from, LearnedFrom::UnlistedTasks);
+    assert_eq!(train("of-unlisted-cross", &in_unlisted, &cross).1, LearnedFrom::Tasks);
+    let by_unlisted = file("by-unlisted.jsonl");
+    output_of(&[&label[..], &[&of_unlisted, "--unlisted", "1", "--template", "2", "--out", &by_unlisted]].concat());
+    assert_eq!(train("by-unlisted", &by_unlisted, &["--from", &of_unlisted]).1, LearnedFrom::UnlistedTasks);
+    assert_refused(&["train", "dynamics", "--setup", "cross", "--labels", &by_unlisted], "unlisted tasks of every");
+    assert_refused(
+        &["train", "dynamics", "--setup", "cross", "--from", &of_unlisted, "--labels", &random],
+        "were trained on within 0",
+    );
+    let refused = [&of_unlisted, "--random-scenes", "7", "--out", &file("refused.jsonl")];
+    assert_refused(&[&label[..], &refused].concat(), "has learned from tasks");
+    let within_3 = ["measure", "evaluate", "--fold", "3", "--limit", "1", "--weights", &of_unlisted];
+    assert!(output_of(&within_3).starts_with("within, fold 3"));
+
     let refused = [WEIGHTS, "--random-scenes", "7", "--out", &file("refused.jsonl")];
     assert_refused(&[&label[..], &refused].concat(), "has learned from tasks");
 

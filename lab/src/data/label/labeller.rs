@@ -12,7 +12,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::{BALLS, Settings, UNSOLVED};
-use crate::data::labels::{LabelledBalls, Sampled, Tried, sample, try_balls};
+use crate::data::labels::{LabelledBalls, Tried, sample, try_balls};
 use crate::data::scene_id::SceneId;
 use crate::data::solutions::Solution;
 
@@ -56,9 +56,9 @@ impl Labeller<'_> {
         if let Some(proposed) = self.proposed(&scene, round) {
             return LabelledBalls::new(scene_id, proposed);
         }
-        let own: Vec<Sampled> = self.known.of_task.get(&id).into_iter().flatten().map(|&ball| (ball, None)).collect();
+        let own = self.known.of_task.get(&id).map_or(&[][..], Vec::as_slice);
         let siblings = self.known.of_template[id.template].as_slice();
-        let balls = sample((scene_id, &scene), &own, siblings, BALLS, &mut self.rng(scene_id, round));
+        let balls = sample((scene_id, &scene), own, siblings, BALLS, &mut self.rng(scene_id, round));
         LabelledBalls::new(scene_id, try_balls(&scene, balls))
     }
 
@@ -70,15 +70,14 @@ impl Labeller<'_> {
         Some(try_balls(scene, balls.collect()))
     }
 
-    /// Labels balls in a scene without known solutions, either proposed or sampled. If sampled, the second half
-    /// includes balls near solutions found in the first half. Most random scenes without a solution, among the proposed
-    /// balls or in the first half, get no balls, so that nets see about as many scenes with solutions as without.
+    /// Labels balls in a scene that is no task, either proposed or sampled. If sampled, the second half includes balls
+    /// near solutions found in the first half. Most random scenes without a solution, among the proposed balls or in
+    /// the first half, get no balls, so that nets see about as many scenes with solutions as without.
     fn in_new_scene(&self, id: SceneId, round: usize) -> LabelledBalls {
         let scene = id.scene().expect("a scene of the selection");
-        let (siblings, unsolved) = match id {
-            SceneId::Unlisted(template, _) => (self.known.of_template[template].as_slice(), true),
-            SceneId::Random(number) => (&[][..], number.is_multiple_of(UNSOLVED)),
-            SceneId::Task(_) => (&[][..], true),
+        let unsolved = match id {
+            SceneId::Random(number) => number.is_multiple_of(UNSOLVED),
+            SceneId::Unlisted(..) | SceneId::Task(_) => true,
         };
         let is_left_out = |tried: &[Tried]| !unsolved && !tried.iter().any(|ball| ball.solved);
         if let Some(proposed) = self.proposed(&scene, round) {
@@ -86,13 +85,12 @@ impl Labeller<'_> {
             return LabelledBalls::new(id, balls);
         }
         let mut rng = self.rng(id, round);
-        let mut tried = try_balls(&scene, sample((id, &scene), &[], siblings, BALLS / 2, &mut rng));
+        let mut tried = try_balls(&scene, sample((id, &scene), &[], &[], BALLS / 2, &mut rng));
         if is_left_out(&tried) {
             return LabelledBalls::new(id, Vec::new());
         }
-        let own: Vec<Sampled> =
-            tried.iter().filter(|ball| ball.solved).map(|&Tried { ball, sibling, .. }| (ball, sibling)).collect();
-        tried.extend(try_balls(&scene, sample((id, &scene), &own, siblings, BALLS / 2, &mut rng)));
+        let own: Vec<Ball> = tried.iter().filter(|tried| tried.solved).map(|tried| tried.ball).collect();
+        tried.extend(try_balls(&scene, sample((id, &scene), &own, &[], BALLS / 2, &mut rng)));
         LabelledBalls::new(id, tried)
     }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use anyhow::ensure;
 use pathlight::benchmark::folds::Setup;
+use pathlight::nets::LearnedFrom;
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +23,7 @@ pub struct LabelSettings {
     pub limit: usize,
     /// `simulator::VERSION`
     pub simulator: u32,
-    /// SHA-256 of the solutions file; null for random scenes, which have no known solutions.
+    /// SHA-256 of the solutions file; null if no ball was sampled around one.
     pub solutions: Option<String>,
     /// SHA-256 of the weights that proposed the balls; absent if the balls were sampled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -30,9 +31,9 @@ pub struct LabelSettings {
     /// Whether the proposing net was trained without the fold's dev tasks.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub net_without_dev: bool,
-    /// Whether the proposing net was trained on random scenes alone.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub net_of_random_scenes: bool,
+    /// What the proposing net has learned from; absent if the balls were sampled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub net_learned_from: Option<LearnedFrom>,
     #[serde(flatten)]
     pub scene_fields: SceneFields,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
@@ -109,9 +110,8 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         simulator: version,
         tasks,
         training_tasks_of,
-        weights,
         net_without_dev: without_dev,
-        net_of_random_scenes,
+        net_learned_from,
         ..
     } = settings;
     ensure!(
@@ -123,10 +123,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     Ok(Labelled {
         lines,
         training_tasks_of,
-        proposer: weights.map(|_| match net_of_random_scenes {
-            true => Proposer::RandomScenes,
-            false => Proposer::Tasks { without_dev },
-        }),
+        proposer: net_learned_from.map(|learned_from| Proposer { learned_from, without_dev }),
         tasks,
     })
 }

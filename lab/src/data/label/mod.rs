@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::{DynamicsCard, PathNet};
+use pathlight::nets::{DynamicsCard, LearnedFrom, PathNet};
 use pathlight::puzzle::task::TaskId;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator;
@@ -49,10 +49,9 @@ pub enum Scenes {
     /// The scenes of the tasks.
     #[default]
     Tasks,
-    /// Up to this many unlisted tasks of each template. Balls are sampled around the solutions of its tasks.
+    /// Up to this many unlisted tasks of each template.
     Unlisted(usize),
-    /// Random scenes: of the first N, all that some ball solves and a sixth of the rest. Balls are sampled around those
-    /// that solve.
+    /// Random scenes: of the first N, all that some ball solves and a sixth of the rest.
     Random(u32),
 }
 
@@ -67,8 +66,8 @@ pub struct Settings {
     pub selection: TaskSelection,
     pub scenes: Scenes,
     /// Label the balls that the dynamics net in this file proposes, likeliest first, instead of sampled ones; each
-    /// round takes the next 64. The net must have been trained on tasks of `training_tasks_of` or on random scenes
-    /// alone; to label random scenes, on random scenes alone.
+    /// round takes the next 64. The net must have been trained on tasks of `training_tasks_of` or on no task; to label
+    /// random scenes, on random scenes alone.
     pub weights: Option<PathBuf>,
     /// Label only the training tasks of this fold, and sample only around their solutions.
     pub training_tasks_of: Option<FoldId>,
@@ -113,11 +112,9 @@ impl Settings {
             }
             Scenes::Random(count) => (0..count).map(SceneId::Random).collect(),
         };
-        let with_solutions = !matches!(self.scenes, Scenes::Random(_));
-        // A net trained on random scenes alone must not learn about tasks through the balls proposed there.
-        let fold = self.training_tasks_of.filter(|_| with_solutions);
-        let proposing = self.weights.as_deref().map(|path| proposing_nets(path, fold)).transpose()?;
+        let proposing = self.weights.as_deref().map(|path| self.proposing_nets(path)).transpose()?;
         let (nets, card) = proposing.unzip();
+        let with_solutions = self.scenes == Scenes::Tasks && nets.is_none();
         let settings = LabelSettings {
             seed: self.seed,
             tasks: NonZeroUsize::new(scenes.len())
@@ -128,7 +125,7 @@ impl Settings {
             solutions: with_solutions.then(|| digest(&self.solutions)).transpose()?,
             weights: self.weights.as_deref().map(digest).transpose()?,
             net_without_dev: card.as_ref().is_some_and(|card| card.without_dev),
-            net_of_random_scenes: card.is_some_and(|card| card.random_scenes_alone),
+            net_learned_from: card.map(|card| card.learned_from),
             scene_fields: self.scenes.into(),
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
@@ -169,24 +166,30 @@ impl Settings {
         progress.finish(&format!("{balls} balls of {} {what}", scenes.len()));
         Ok(())
     }
-}
 
-/// Loads nets that include a dynamics net, and the card of that net, which was trained on tasks of `fold` or on random
-/// scenes alone.
-fn proposing_nets(path: &Path, fold: Option<FoldId>) -> anyhow::Result<(PathNet, DynamicsCard)> {
-    let name = path.display();
-    let (nets, card) = load_nets_of_any_fold(path)?;
-    let trained_on = card.fold_id();
-    let card = card
-        .dynamics
-        .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
-    match fold {
-        _ if card.random_scenes_alone => {}
-        Some(fold) => trained_on.check(fold).with_context(|| format!("cannot use {name}"))?,
-        None => bail!(
-            "{name} has learned from tasks: name its fold with --setup and --fold, to label balls of its training \
-             tasks; for balls in random scenes, name weights that were trained on random scenes alone"
-        ),
+    /// Loads nets that include a dynamics net that may propose balls in the scenes, and the card of that net.
+    fn proposing_nets(&self, path: &Path) -> anyhow::Result<(PathNet, DynamicsCard)> {
+        let name = path.display();
+        let (nets, card) = load_nets_of_any_fold(path)?;
+        let trained_on = card.fold_id();
+        let card = card
+            .dynamics
+            .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
+        match (card.learned_from, self.scenes, self.training_tasks_of) {
+            (LearnedFrom::RandomScenes, ..) => {}
+            // A net trained on random scenes alone must not learn about tasks through the balls proposed there.
+            (_, Scenes::Random(_), _) => bail!(
+                "{name} has learned from tasks: for balls in random scenes, name weights that were trained on random \
+                 scenes alone"
+            ),
+            (LearnedFrom::UnlistedTasks, _, None) => {}
+            (_, _, Some(fold)) if card.learned_from.serves_all_folds(fold.setup) => {}
+            (_, _, Some(fold)) => trained_on.check(fold).with_context(|| format!("cannot use {name}"))?,
+            (LearnedFrom::Tasks, _, None) => bail!(
+                "{name} has learned from tasks: name its fold with --setup and --fold, to label balls of its training \
+                 tasks"
+            ),
+        }
+        Ok((nets, card))
     }
-    Ok((nets, card))
 }
