@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::{DynamicsCard, LearnedFrom, PathNet};
 use pathlight::puzzle::task::TaskId;
@@ -175,20 +175,20 @@ impl Settings {
         let card = card
             .dynamics
             .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
-        match (card.learned_from, self.scenes, self.training_tasks_of) {
-            (LearnedFrom::RandomScenes, ..) => {}
+        match (self.scenes, self.training_tasks_of) {
             // A net trained on random scenes alone must not learn about tasks through the balls proposed there.
-            (_, Scenes::Random(_), _) => bail!(
+            (Scenes::Random(_), _) => ensure!(
+                card.learned_from == LearnedFrom::RandomScenes,
                 "{name} has learned from tasks: for balls in random scenes, name weights that were trained on random \
                  scenes alone"
             ),
-            (LearnedFrom::UnlistedTasks, _, None) => {}
-            (_, _, Some(fold)) if card.learned_from.serves_all_folds(fold.setup) => {}
-            (_, _, Some(fold)) => trained_on.check(fold).with_context(|| format!("cannot use {name}"))?,
-            (LearnedFrom::Tasks, _, None) => bail!(
+            (_, None) => ensure!(
+                card.learned_from != LearnedFrom::Tasks,
                 "{name} has learned from tasks: name its fold with --setup and --fold, to label balls of its training \
                  tasks"
             ),
+            (_, Some(fold)) if card.learned_from.serves_all_folds(fold.setup) => {}
+            (_, Some(fold)) => trained_on.check(fold).with_context(|| format!("cannot use {name}"))?,
         }
         Ok((nets, card))
     }
