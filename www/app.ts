@@ -104,7 +104,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     ...modelEffects(given.files),
     ...given.effects,
   ]);
-  const stage = new Stage(schedule);
+  const stage = new Stage(() => store.state);
   const app: App = { store, canvas: stage.canvas, loupe: stage.loupe, embedded: given.embedded, parts: 1 };
   const root = given.root as HTMLElement;
   const rendering = keepingFocus(given.keys, stage.canvas);

@@ -158,16 +158,33 @@ test("what a browser takes away comes back: the picture of the scene, and a mode
   await page.route(/safetensors/, (route) => route.abort());
   await page.goto(`${session.origin}/#task=${EASY}`);
   await page.getByText("The server does not answer").waitFor();
-  await scene(page).evaluate((canvas) => {
-    canvas.getContext("2d").clearRect(0, 0, canvas.width, canvas.height);
+  const restored = await scene(page).evaluate((canvas) => {
+    const context = canvas.getContext("2d");
+    context.clearRect(0, 0, canvas.width, canvas.height);
     canvas.dispatchEvent(new Event("contextrestored"));
+    return context.getImageData(2, 2, 1, 1).data[3];
   });
-  const isPainted = (canvas) => canvas.getContext("2d").getImageData(2, 2, 1, 1).data[3] === 255;
-  for (let painted = false; !painted;) painted = await scene(page).evaluate(isPainted);
+  assert.equal(restored, 255);
   await page.unroute(/safetensors/);
   await page.evaluate(() => dispatchEvent(new PageTransitionEvent("pageshow", { persisted: true })));
   await modelIsThere(page);
   assert.ok(session.problems.splice(0).every((problem) => problem.includes("safetensors")));
+});
+
+test("a scene of another size is painted before it is seen", async () => {
+  const page = await openPuzzle(session);
+  const alpha = await scene(page).evaluateHandle((canvas) => {
+    const { width } = canvas;
+    let seen = null;
+    // Called after the page's own observer, which is older, and before the browser shows the frame.
+    new ResizeObserver(() => {
+      if (canvas.width !== width) seen ??= canvas.getContext("2d").getImageData(2, 2, 1, 1).data[3];
+    }).observe(canvas);
+    return () => seen;
+  });
+  await page.setViewportSize({ width: 390, height: 664 });
+  await page.waitForFunction((alpha) => alpha() !== null, alpha);
+  assert.equal(await alpha.evaluate((alpha) => alpha()), 255);
 });
 
 test("a puzzle is opened by its number; one that there is not is said", async () => {

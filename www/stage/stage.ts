@@ -31,18 +31,23 @@ export class Stage {
   #observer: ResizeObserver;
   #painted: readonly unknown[] = [];
 
-  constructor(onResize: () => void) {
+  constructor(state: () => State) {
+    const repaint = (): void => {
+      this.#painted = [];
+      this.paint(state());
+    };
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     // The painted content is lost then.
-    this.canvas.addEventListener("contextrestored", () => this.#forget(onResize));
+    this.canvas.addEventListener("contextrestored", repaint);
     this.#observer = new ResizeObserver(() => {
       const side = this.canvas.clientWidth;
       const pixels = Math.max(1, Math.round(side * devicePixelRatio));
       this.scale = side / SCENE_SIZE || 1;
       if (pixels === this.canvas.width) return;
       this.canvas.width = this.canvas.height = pixels;
-      this.#forget(onResize);
+      // At once: by the next frame, an empty canvas would have been seen.
+      repaint();
     });
     this.#observer.observe(this.canvas);
   }
@@ -71,11 +76,6 @@ export class Stage {
 
   stop(): void {
     this.#observer.disconnect();
-  }
-
-  #forget(onResize: () => void): void {
-    this.#painted = [];
-    onResize();
   }
 }
 
