@@ -5,6 +5,7 @@
 //! fast. Biases, and the last layers of the chances, which have a single output, keep Adam.
 
 use burn::module::ParamGroup;
+use burn::optim::momentum::{Momentum, MomentumConfig, MomentumState};
 use burn::optim::{AdjustLrFn, LearningRate, ModuleOptimizer, Muon, MuonConfig, MuonState, Optimizer};
 use burn::tensor::{Device, Tensor};
 
@@ -36,12 +37,31 @@ impl Optimizer for MuonOfMatrices {
         let rows = shape[0] as i32;
         let matrix = |tensor: Tensor<D>| tensor.reshape([rows, -1]);
         let (tensor, state) = self.0.step(learning_rate, matrix(tensor), matrix(gradient), state);
+        let state = state.map(|state| without_negligible(state, tensor.zeros_like()));
         (tensor.reshape(shape), state)
     }
 
     fn to_device<const D: usize>(state: MuonState<2>, device: &Device) -> MuonState<2> {
         <Muon as Optimizer>::to_device::<2>(state, device)
     }
+}
+
+/// Magnitude below which momentum is set to zero. It is far below what rounding leaves of a step, and the products of two
+/// numbers of this magnitude are not yet subnormal.
+const NEGLIGIBLE: f32 = 1e-18;
+
+/// Sets negligible momentum to zero. That of a weight without a gradient would decay until it is subnormal and then stay
+/// so, which makes a step up to three times slower.
+fn without_negligible(MuonState { momentum }: MuonState<2>, no_gradient: Tensor<2>) -> MuonState<2> {
+    let velocity = velocity(momentum, no_gradient);
+    let negligible = velocity.clone().abs().lower_elem(NEGLIGIBLE);
+    MuonState::new(MomentumState::new(velocity.mask_fill(negligible, 0.0)))
+}
+
+/// burn keeps the velocity to itself, but with a factor of 1 it is what a gradient of 0 becomes.
+fn velocity(momentum: MomentumState<2>, no_gradient: Tensor<2>) -> Tensor<2> {
+    let unchanged = Momentum::new(&MomentumConfig { momentum: 1.0, dampening: 0.0, nesterov: false });
+    unchanged.transform(no_gradient, Some(momentum)).0
 }
 
 #[cfg(test)]
@@ -70,6 +90,22 @@ mod tests {
             let expected = if index % 17 == 0 { 1.0 } else { 0.0 };
             assert!((value - expected).abs() < 0.6, "{index}: {value}");
         }
+    }
+
+    #[test]
+    fn momentum_without_a_gradient_does_not_become_subnormal() {
+        let device = seeded(0);
+        let (mut tensor, mut state) = (Tensor::<2>::zeros([2, 3], &device), None);
+        for step in 0..2000 {
+            // Only the first row goes on learning.
+            let dead = if step == 0 { 1.0 } else { 0.0 };
+            let gradient = Tensor::from_data([[1.0, -2.0, 3.0], [dead, dead, dead]], &device);
+            (tensor, state) = MuonOfMatrices(MuonConfig::new().build()).step(1e-3, tensor, gradient, state);
+        }
+        let velocity = velocity(state.expect("a state").momentum, tensor.zeros_like()).into_data();
+        let values: Vec<f32> = velocity.iter().collect();
+        assert!(values[..3].iter().all(|value| value.abs() > 1.0), "{values:?}");
+        assert_eq!(values[3..], [0.0; 3]);
     }
 
     #[test]
