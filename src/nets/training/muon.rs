@@ -46,12 +46,12 @@ impl Optimizer for MuonOfMatrices {
     }
 }
 
-/// Magnitude below which momentum is set to zero. It is far below what rounding leaves of a step, and the products of two
-/// numbers of this magnitude are not yet subnormal.
+/// Magnitude below which momentum is set to zero. It is far below what rounding leaves of a step, and the products of
+/// two numbers of this magnitude are not yet subnormal.
 const NEGLIGIBLE: f32 = 1e-18;
 
-/// Sets negligible momentum to zero. That of a weight without a gradient would decay until it is subnormal and then stay
-/// so, which makes a step up to three times slower.
+/// Sets negligible momentum to zero. That of a weight without a gradient would decay until it is subnormal and then
+/// stay so, which makes a step up to three times slower.
 fn without_negligible(MuonState { momentum }: MuonState<2>, no_gradient: Tensor<2>) -> MuonState<2> {
     let velocity = velocity(momentum, no_gradient);
     let negligible = velocity.clone().abs().lower_elem(NEGLIGIBLE);
