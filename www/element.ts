@@ -7,7 +7,7 @@
 // properties. In addition, `theme` is "light" or "dark", `fill` takes the height of the container, and `remember` keeps
 // attempts and choices in this browser (read once, when the puzzle is opened).
 
-import { follow, puzzleOf } from "./opening.ts";
+import { existing, follow, puzzleOf } from "./opening.ts";
 import { explained, filesAt, mount } from "./app.ts";
 import { NOTHING_KEPT, choose } from "./core/change/kept.ts";
 import { attempts, toldAttempts } from "./core/derived/duel.ts";
@@ -15,7 +15,7 @@ import { theme } from "./core/derived/looks.ts";
 import { nextTask } from "./core/derived/next.ts";
 import { LINK_PARTS, linkOf, readParts, writePart } from "./effects/address.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";
-import { benchmark, loadSimulator, openPuzzle } from "./simulator.ts";
+import { benchmark, loadSimulator } from "./simulator.ts";
 import { languageOf, loadText } from "./text/languages.ts";
 import css from "./style.css";
 import type { Files } from "./app.ts";
@@ -69,6 +69,9 @@ declare global {
     "pathlight-puzzle": PathlightPuzzle;
   }
 }
+
+/** Why the attributes name no puzzle, in the language of the element. */
+class Refusal extends Error {}
 
 const PROPERTIES = [...LINK_PARTS, "theme"] as const;
 
@@ -136,7 +139,7 @@ export class PathlightPuzzle extends HTMLElement {
     this.#leaving = new AbortController();
     this.#start(this.#leaving.signal).catch(async (error) => {
       reportError(error);
-      this.#root.replaceChildren(await explained(error, this.#language()));
+      this.#root.replaceChildren(error instanceof Refusal ? error.message : await explained(error, this.#language()));
     });
   }
 
@@ -184,9 +187,10 @@ export class PathlightPuzzle extends HTMLElement {
     const { link } = readParts(this.#parts(), text);
     const shared = link.scene === null ? null : await puzzleOf(link.scene);
     if (signal.aborted) return;
-    if (shared && "problem" in shared) throw new Error("The attribute scene holds no puzzle that may be played.");
-    const puzzle =
-      shared ?? openPuzzle(link.task ?? nextTask(benchmark(kept.model), null, (task) => task in kept.attempts));
+    if (shared && "problem" in shared) throw new Refusal(text.page.notice({ kind: "bad_scene", ...shared }));
+    const task = link.task ?? nextTask(benchmark(kept.model), null, (task) => task in kept.attempts);
+    const puzzle = shared ?? existing(task);
+    if (!puzzle) throw new Refusal(text.page.notice({ kind: "no_task", task }));
     const told = [this.#attributes(), this.#attempts(), this.#model()];
     const effects = [...told, ...(remembers ? [keepingEffect()] : [])];
     const shown = { link, puzzle, kept, language, text };

@@ -1,6 +1,6 @@
 // The page: opens the puzzle that the address names, and stores attempts.
 
-import { follow, homeTask, puzzleOf } from "./opening.ts";
+import { existing, follow, homeTask, puzzleOf } from "./opening.ts";
 import { explained, filesAt, mount } from "./app.ts";
 import { setNotice } from "./core/change/settings.ts";
 import { addressEffect, hasMovedOn, pageOf, readLocation } from "./effects/address.ts";
@@ -11,7 +11,6 @@ import { takeOver } from "./effects/old-keeping.ts";
 import { documentEffect } from "./effects/language.ts";
 import { loadSimulator, openPuzzle } from "./simulator.ts";
 import { languageOf, loadText } from "./text/languages.ts";
-import type { Puzzle } from "./core/puzzle.ts";
 
 const files = filesAt(import.meta.url);
 
@@ -43,14 +42,6 @@ async function run(root: HTMLElement): Promise<void> {
     const { link, unread } = readLocation(store.state.text);
     follow(store, link);
     if (unread.length) store.change(setNotice, { kind: "unread_link", parts: unread });
-  }
-}
-
-function existing(task: string): Puzzle | null {
-  try {
-    return openPuzzle(task);
-  } catch {
-    return null;
   }
 }
 

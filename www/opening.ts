@@ -27,11 +27,18 @@ export function follow(store: Store<State>, link: Link): void {
   if (link.task === null && isHome(store.state)) return;
   const task = link.task ?? homeTask(store.state.kept);
   if (link.task !== null && task === route.task) return store.change(routed, link);
+  // The puzzle in the picture on the home page is open already.
+  const named = task === puzzle.about.id ? puzzle : existing(task);
+  if (named) store.change(opened, link, named);
+  else store.change(setNotice, { kind: "no_task", task });
+}
+
+/** Opens a task; null if there is none of this number. */
+export function existing(task: string): Puzzle | null {
   try {
-    // The puzzle in the picture on the home page is open already.
-    store.change(opened, link, task === puzzle.about.id ? puzzle : openPuzzle(task));
+    return openPuzzle(task);
   } catch {
-    store.change(setNotice, { kind: "no_task", task });
+    return null;
   }
 }
 

@@ -46,6 +46,20 @@ test("a puzzle that is changed is its attribute, until another is named", async 
   await page.locator("pathlight-puzzle[scene]:not([task])").waitFor();
 });
 
+test("attributes that name no puzzle are told so, each in its place", async () => {
+  const elements = ['task="00002:003"', `task="${EASY}"`, 'scene="x"', 'lang="de" task="00004:003"'];
+  const page = await openArticle(elements.map((one) => `<pathlight-puzzle ${one}></pathlight-puzzle>`).join(""));
+  const said = (place) =>
+    page.waitForFunction(
+      (place) => document.querySelectorAll("pathlight-puzzle")[place].shadowRoot?.textContent,
+      place,
+    );
+  assert.match(await (await said(0)).jsonValue(), /^There is no puzzle 00002:003\./);
+  assert.match(await (await said(2)).jsonValue(), /^This link’s puzzle cannot be opened/);
+  assert.match(await (await said(3)).jsonValue(), /^Ein Rätsel 00004:003 gibt es nicht\./);
+  assert.equal(session.problems.splice(0).length, 3, "the author finds them in the console, too");
+});
+
 test("the wheel scrolls the article until the scene has the focus", async () => {
   const page = await openArticle(`<pathlight-puzzle task="${EASY}" ball="128,120,9"></pathlight-puzzle>`);
   await scene(page).hover();
