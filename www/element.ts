@@ -124,6 +124,8 @@ export class PathlightPuzzle extends HTMLElement {
   #root = this.attachShadow({ mode: "open" });
   #app: App | null = null;
   #leaving: AbortController | null = null;
+  /** Whether the attributes name no puzzle. */
+  #isRefused = false;
   /** Whether attributes are being set from the state, which must not count as a request. */
   #isFollowing = false;
 
@@ -137,9 +139,11 @@ export class PathlightPuzzle extends HTMLElement {
       this[name] = value;
     }
     this.#leaving = new AbortController();
+    this.#isRefused = false;
     this.#start(this.#leaving.signal).catch(async (error) => {
       reportError(error);
-      this.#root.replaceChildren(error instanceof Refusal ? error.message : await explained(error, this.#language()));
+      this.#isRefused = error instanceof Refusal;
+      this.#root.replaceChildren(this.#isRefused ? error.message : await explained(error, this.#language()));
     });
   }
 
@@ -153,7 +157,12 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
-    if (!this.#app || this.#isFollowing || before === now) return;
+    if (this.#isFollowing || before === now) return;
+    if (this.#isRefused && this.isConnected) {
+      this.#leaving = null;
+      this.connectedCallback();
+    }
+    if (!this.#app) return;
     const { store } = this.#app;
     if (name === "theme") return store.change(choose, { theme: themeOf(now) });
     const read = readParts(this.#parts(), store.state.text).link;

@@ -46,7 +46,7 @@ test("a puzzle that is changed is its attribute, until another is named", async 
   await page.locator("pathlight-puzzle[scene]:not([task])").waitFor();
 });
 
-test("attributes that name no puzzle are told so, each in its place", async () => {
+test("attributes that name no puzzle are told so in their place, and can be corrected", async () => {
   const elements = ['task="00002:003"', `task="${EASY}"`, 'scene="x"', 'lang="de" task="00004:003"'];
   const page = await openArticle(elements.map((one) => `<pathlight-puzzle ${one}></pathlight-puzzle>`).join(""));
   const said = (place) =>
@@ -58,6 +58,11 @@ test("attributes that name no puzzle are told so, each in its place", async () =
   assert.match(await (await said(2)).jsonValue(), /^This link’s puzzle cannot be opened/);
   assert.match(await (await said(3)).jsonValue(), /^Ein Rätsel 00004:003 gibt es nicht\./);
   assert.equal(session.problems.splice(0).length, 3, "the author finds them in the console, too");
+  await page
+    .locator("pathlight-puzzle")
+    .first()
+    .evaluate((one) => one.setAttribute("task", "00007:008"));
+  await scene(page.locator("pathlight-puzzle").first()).waitFor();
 });
 
 test("the wheel scrolls the article until the scene has the focus", async () => {
