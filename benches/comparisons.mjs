@@ -18,14 +18,13 @@ const onnx = (what) => `target/bench/${what}.onnx`;
 const images = { nets: ["scene"], "all-nets": ["scene", "coverage"] };
 const ROLLOUTS = "target/bench/rollouts.txt";
 
-// As it is released; Box2D is built with link-time optimisation too. Without the nets, that takes a minute.
+// All of ours is built as it is released; Box2D is built with link-time optimisation too.
 const ourSimulator = (work) => [
   ..."cargo bench --quiet --profile dist --no-default-features --bench simulator --".split(" "),
   work,
 ];
-// Built with the features of the tests, so that nothing is built twice.
 const ourNets = (...args) => [
-  ..."cargo bench --quiet --workspace --features ndarray --bench nets --".split(" "),
+  ..."cargo bench --quiet --profile dist --package pathlight-lab --bench nets --".split(" "),
   ...args,
 ];
 const python = (script, ...args) => ["target/bench/venv/bin/python", `benches/nets/${script}`, ...args];

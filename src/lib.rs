@@ -33,7 +33,8 @@
 //! | `web` | the wasm exports; wasm32 only |
 //! | `command_line` | what the programs `pathlight` and `pathlight-lab` share; for these alone |
 //!
-//! `nets`, `agents` and everything that uses them need the feature `nets`, which is on by default.
+//! `nets`, `agents` and everything that uses them need the feature `nets`, and `command_line` needs the feature `cli`.
+//! Both are on by default; a crate that needs the library alone turns `cli` off.
 
 #![warn(missing_docs, unreachable_pub)]
 
@@ -41,7 +42,7 @@
 pub mod agents;
 pub mod benchmark;
 pub mod colour;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(feature = "cli", not(target_arch = "wasm32")))]
 #[doc(hidden)]
 pub mod command_line;
 #[cfg(feature = "nets")]

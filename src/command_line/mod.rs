@@ -1,7 +1,6 @@
 //! Parts shared by the command lines of the player and of the lab: arguments, exit codes, progress, and files that are
 //! written completely or not at all. Intended for these two programs only; it may change at any time.
 
-#[cfg(feature = "nets")]
 pub mod agent_arg;
 pub mod engine_arg;
 pub mod exit;
