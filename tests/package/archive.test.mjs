@@ -15,7 +15,7 @@ test("the archive serves the page, and its program finds the models", async (con
   context.after(() => rmSync(folder, { recursive: true, force: true }));
   execFileSync(process.execPath, ["scripts/build-page.mjs"], { cwd: root });
   const built = "target/release/pathlight";
-  assert.ok(existsSync(join(root, built)), `${built} is missing: run cargo build --release --workspace`);
+  assert.ok(existsSync(join(root, built)), `${built} is missing: run make build`);
   const printed = execFileSync("scripts/pack-binary", [built], { cwd: root, encoding: "utf8" });
   execFileSync("tar", ["-xzf", join(root, printed.trim()), "-C", folder]);
   const cwd = join(folder, readdirSync(folder)[0]);
