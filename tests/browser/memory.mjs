@@ -44,14 +44,21 @@ function watchWasm() {
 
 const wasmBytes = () => /** @type {any} */ (globalThis).wasmMemory.buffer.byteLength;
 
+/** Collects a page's garbage, and returns the session of the debugger that did. */
+async function collected(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("HeapProfiler.enable");
+  // One collection may keep what was in use a moment before.
+  for (let round = 0; round < 3; round++) await session.send("HeapProfiler.collectGarbage");
+  return session;
+}
+
 /**
  * @param {Page} page
  * @returns {Promise<Memory>} after a collection
  */
 export async function memoryOf(page) {
-  const session = await page.context().newCDPSession(page);
-  await session.send("HeapProfiler.enable");
-  for (let round = 0; round < 3; round++) await session.send("HeapProfiler.collectGarbage");
+  const session = await collected(page);
   const { usedSize } = await session.send("Runtime.getHeapUsage");
   const { nodes } = await session.send("Memory.getDOMCounters");
   await session.detach();
@@ -66,9 +73,8 @@ export async function memoryOf(page) {
 
 /** Returns the number of objects of a page, after a collection. */
 export async function objectsOf(page) {
-  const session = await page.context().newCDPSession(page);
+  const session = await collected(page);
   const { result } = await session.send("Runtime.evaluate", { expression: "Object.prototype" });
-  // It collects garbage first.
   const { objects } = await session.send("Runtime.queryObjects", { prototypeObjectId: result.objectId });
   const functionDeclaration = "function () { return this.length; }";
   const count = await session.send("Runtime.callFunctionOn", { functionDeclaration, objectId: objects.objectId });
