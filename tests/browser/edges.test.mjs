@@ -170,7 +170,12 @@ test("what is typed into a field is no shortcut, no key acts behind a sheet, and
   await name.pressSequentially("r2] 3");
   assert.match(await name.inputValue(), /r2\] 3$/);
   await page.getByRole("tab", { name: "Make", selected: true }).waitFor();
-  await page.getByRole("tab", { name: "Play" }).click();
+  // The press leaves the field, which renames the puzzle; the release must still meet the tab.
+  await page.getByRole("tab", { name: "Play" }).hover();
+  await page.mouse.down();
+  await page.getByRole("heading", { name: "r2] 3" }).waitFor();
+  await page.mouse.up();
+  await page.getByRole("tab", { name: "Play", selected: true }).waitFor();
   await button(page, "Share").click();
   await page.getByRole("dialog").waitFor();
   for (const key of ["2", "]", "r", "Control+z"]) await page.keyboard.press(key);

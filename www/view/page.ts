@@ -46,12 +46,14 @@ function task({ store }: App): View {
   const { text, puzzle, device } = state;
   const { id } = puzzle.about;
   const isDaily = id !== null && id === taskOfDay(benchmark(), device.day);
+  const instructions = html`<p class="quiet">
+    ${text.puzzle.instructions(puzzle.about)}
+    ${id === null ? nothing : text.home.howHard(difficulty(rateOf(id)), rateOf(id))}
+  </p>`;
+  // Not in Make: the first change would replace it, and move what is below from under a finger that leaves a field.
   return html`${isDaily ? html`<p class="daily">${text.home.day}</p>` : nothing}
     <p><strong>${text.puzzle.goal(...goal(state))}</strong></p>
-    <p class="quiet">
-      ${text.puzzle.instructions(puzzle.about)}
-      ${id === null ? nothing : text.home.howHard(difficulty(rateOf(id)), rateOf(id))}
-    </p>`;
+    ${shownPanel(state) === "make" ? nothing : instructions}`;
 }
 
 function presented(app: App): View {
