@@ -109,7 +109,7 @@ fn reproduce_continues_after_any_kill() {
     let fold = ["reproduce", "--recipe", "small", "--setup", "cross", "--fold", "0", "--recipes", &recipes];
     assert_same_when_killed(&[&fold[..], &["--results", "%/results", "--runs", "%/runs"]].concat(), |folder| {
         // Results also record how long they took, so they are not compared byte by byte.
-        let weights = fs::read(folder.join("runs/dqn/cross-0/weights.safetensors")).expect("weights");
+        let weights = fs::read(folder.join("runs/nets/cross-0/weights.safetensors")).expect("weights");
         let result = Report::read(&folder.join("results/small/cross-0.json"), "").expect("a result");
         vec![weights, result.table().expect("a table").into_bytes()]
     });
