@@ -84,6 +84,7 @@ $(PACKAGE): $(PACKAGED) $(BUILT_AS)
 	scripts/build-wasm
 
 clean:
-	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed crates debug doc package package-types page pictures python python-env \
-		python-tools release stages tests-www tmp tools wasm32-unknown-unknown wasm-compiled wasm-package wheels)
+	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed crates debug doc package package-types page \
+		pictures python python-env python-tools release stages tests-www tmp tools wasm32-unknown-unknown \
+		wasm-compiled wasm-package wheels)
 	rm -rf dist dist.* www/pkg python/pathlight_phyre/page scripts/node_modules tests/browser/node_modules tests/package/node_modules

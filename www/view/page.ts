@@ -40,20 +40,20 @@ export function page(app: App): View {
   </div>`;
 }
 
-/** The task, what happens in the puzzle, and how hard it is. */
+/** The task, what happens in the puzzle, and how hard it is; in Make, the task alone. */
 function task({ store }: App): View {
   const { state } = store;
   const { text, puzzle, device } = state;
   const { id } = puzzle.about;
+  const task = html`<p><strong>${text.puzzle.goal(...goal(state))}</strong></p>`;
+  // The first change would replace the rest, and move the tabs away from a pointer that presses one to leave a field.
+  if (shownPanel(state) === "make") return task;
   const isDaily = id !== null && id === taskOfDay(benchmark(), device.day);
-  const instructions = html`<p class="quiet">
-    ${text.puzzle.instructions(puzzle.about)}
-    ${id === null ? nothing : text.home.howHard(difficulty(rateOf(id)), rateOf(id))}
-  </p>`;
-  // Not in Make: the first change would replace it, and move what is below from under a finger that leaves a field.
-  return html`${isDaily ? html`<p class="daily">${text.home.day}</p>` : nothing}
-    <p><strong>${text.puzzle.goal(...goal(state))}</strong></p>
-    ${shownPanel(state) === "make" ? nothing : instructions}`;
+  return html`${isDaily ? html`<p class="daily">${text.home.day}</p>` : nothing} ${task}
+    <p class="quiet">
+      ${text.puzzle.instructions(puzzle.about)}
+      ${id === null ? nothing : text.home.howHard(difficulty(rateOf(id)), rateOf(id))}
+    </p>`;
 }
 
 function presented(app: App): View {
