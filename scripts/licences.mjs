@@ -1,6 +1,6 @@
 // Prints the licences of everything in the page and the npm package: node scripts/licences.mjs. With the argument
 // wheel, it also prints those of the Python wheel, whose widget is the page's element. scripts/build-wasm writes the
-// first list to www/pkg/licences.txt, which the sheet “About Pathlight” links to; scripts/build-widget.mjs writes the
+// first list to www/pkg/licences.txt, which the dialog “About Pathlight” links to; scripts/build-widget.mjs writes the
 // second.
 //
 // The crates are those that cargo links into the wasm, and into the wheel on any platform. Texts shared by several

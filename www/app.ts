@@ -162,7 +162,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
     before = isPlaying ? now : null;
     // Without a time step nothing has changed that would schedule the next frame.
     if (moves(store.state)) schedule();
-    rendering(store.state.sheet, () => render(page(app), root));
+    rendering(store.state.dialog, () => render(page(app), root));
     const described = description(store.state);
     if (stage.canvas.ariaLabel !== described) stage.canvas.ariaLabel = described;
     stage.canvas.classList.toggle("taken", toolOf(store.state).holds(store.state));

@@ -11,7 +11,7 @@ import { existing, follow, puzzleOf } from "./opening.ts";
 import { explained, filesAt, mount } from "./app.ts";
 import { NOTHING_KEPT, choose } from "./core/change/kept.ts";
 import { attempts, toldAttempts } from "./core/derived/duel.ts";
-import { theme } from "./core/derived/looks.ts";
+import { theme } from "./core/derived/preferences.ts";
 import { nextTask } from "./core/derived/next.ts";
 import { LINK_PARTS, linkOf, readParts, writePart } from "./effects/address.ts";
 import { keepingEffect, listenToOtherTabs, readKept } from "./effects/keeping.ts";

@@ -27,7 +27,7 @@ mod logistic;
 mod parameters;
 #[cfg(not(target_arch = "wasm32"))]
 mod rounding;
-mod stored;
+mod stored_parameter;
 pub mod success_net;
 #[cfg(feature = "training")]
 pub mod training;

@@ -17,7 +17,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::parameters::{Parameter, parameters};
-use super::stored::{read, stored};
+use super::stored_parameter::{read, stored};
 use super::{Card, DynamicsNet, PathNet, SuccessNet};
 #[cfg(not(target_arch = "wasm32"))]
 use super::{Dqn, DqnCard, flex};

@@ -163,7 +163,7 @@ test("a hostile link or file is refused in a sentence, and one plays on", async 
   await drop(page);
 });
 
-test("what is typed into a field is no shortcut, no key acts behind a sheet, and a key that is held acts once", async () => {
+test("what is typed into a field is no shortcut, no key acts behind a dialog, and a key that is held acts once", async () => {
   const page = await openPuzzle(session, `#task=${EASY}`, STILL);
   await page.getByRole("tab", { name: "Make" }).click();
   const name = page.getByRole("textbox", { name: "Name" });

@@ -9,7 +9,7 @@ after(() => session.stop());
 
 const hasFocus = (locator) => locator.and(locator.page().locator(":focus")).waitFor();
 
-test("a sheet gives it back to what opened it, or to the menu", async () => {
+test("a dialog gives it back to what opened it, or to the menu", async () => {
   const page = await openPuzzle(session, `#task=${EASY}`, STILL);
   for (const leave of [() => button(page, "Close").press("Enter"), () => page.keyboard.press("Escape")]) {
     await button(page, "Share").press("Enter");

@@ -217,7 +217,7 @@ test("the presentation shows scene and sentence, can be played, and is left by E
   await heading(page, "Two Drops").waitFor();
 });
 
-test("home and sheets have nothing that axe objects to, in light and dark", async () => {
+test("home and dialogs have nothing that axe objects to, in light and dark", async () => {
   const page = await openHome();
   await page.getByText("Your turn").waitFor();
   await axeFindsNothingInLightAndDark(page, "home");

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { resultsCsv } from "../../www/exhibits/results-file.ts";
-import { duration, momentOf, playedOf, shownTries, trend } from "../../www/exhibits/tries.ts";
+import { duration, momentOf, playedOf, shownTries, trend } from "../../www/exhibits/learns-timeline.ts";
 import type { ModelResults } from "../../www/exhibits/results-file.ts";
 import type { Reminder, TriedProposal } from "../../www/api/index.ts";
 

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { NOTHING_KEPT, merged, mergeKept, openAttempts } from "../../www/core/change/kept.ts";
 import { setModel } from "../../www/core/change/model.ts";
-import { forget } from "../../www/core/change/sheet.ts";
+import { forget } from "../../www/core/change/dialog.ts";
 import { attempts } from "../../www/core/derived/duel.ts";
 import { attemptsTable, attemptsText, parsedLines } from "../../www/core/derived/files.ts";
 import { ATTEMPT_LIMIT } from "../../www/pkg/constants.ts";

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { START, linkTo, routed } from "../../www/core/change/route.ts";
-import { openSheet, toggleHidden, usePreset } from "../../www/core/change/sheet.ts";
+import { openDialog, toggleHidden, usePreset } from "../../www/core/change/dialog.ts";
 import { nextStep } from "../../www/core/derived/duel.ts";
 import { isAlone, isHidden, shownPanels } from "../../www/core/derived/hidden.ts";
 import { result } from "../../www/core/derived/home.ts";
@@ -94,11 +94,11 @@ test("the walkthrough goes on to another puzzle, but not to its last step, which
 });
 
 test("a lesson begins with a preset, and each part can be chosen", () => {
-  const sheet = openSheet(fresh, "lesson");
-  assert.equal(sheet.lesson.tasks, "00000:000");
-  const play = usePreset(sheet, "play").lesson;
+  const dialog = openDialog(fresh, "lesson");
+  assert.equal(dialog.lesson.tasks, "00000:000");
+  const play = usePreset(dialog, "play").lesson;
   assert.ok(play.hide.includes("puzzles") && !play.hide.includes("play"));
-  const own = toggleHidden(usePreset(sheet, "predict"), "puzzles").lesson;
+  const own = toggleHidden(usePreset(dialog, "predict"), "puzzles").lesson;
   assert.equal(own.preset, null);
   assert.ok(own.hide.includes("guess") && !own.hide.includes("puzzles"));
 });

@@ -4,7 +4,7 @@
 import { NO_ANSWERS, MODEL_OFF } from "./change/model.ts";
 import { introOf } from "./change/home.ts";
 import { NO_BALL, placeLinked } from "./change/placement.ts";
-import { LESSON, SHARE } from "./change/sheet.ts";
+import { LESSON, SHARE } from "./change/dialog.ts";
 import { NO_SKETCH } from "./change/sketch.ts";
 import type { Check } from "./change/check.ts";
 import type { Intro, Recorded } from "./change/home.ts";
@@ -15,7 +15,7 @@ import type { Placement } from "./change/placement.ts";
 import type { Route } from "./change/route.ts";
 import type { Run } from "./change/run.ts";
 import type { Device, Notice } from "./change/settings.ts";
-import type { Lesson, Share, Sheet } from "./change/sheet.ts";
+import type { Dialog, Lesson, Share } from "./change/dialog.ts";
 import type { Sketch } from "./change/sketch.ts";
 import type { Puzzle } from "./puzzle.ts";
 import type { Ball } from "../pkg/page/pathlight.js";
@@ -44,8 +44,8 @@ export interface State {
   readonly intro: Intro | null;
   /** The recording for the home page; null until it is loaded. */
   readonly recorded: Recorded | null;
-  /** The sheet over the page. */
-  readonly sheet: Sheet | null;
+  /** The dialog over the page. */
+  readonly dialog: Dialog | null;
   readonly share: Share;
   readonly lesson: Lesson;
   /** The document that the browser keeps. */
@@ -80,7 +80,7 @@ export function start(
     make: null,
     intro: introOf(route, puzzle),
     recorded: null,
-    sheet: null,
+    dialog: null,
     share: SHARE,
     lesson: LESSON,
     kept,

@@ -1,11 +1,11 @@
 // A result as a picture: 1200 x 630 pixels, which messengers and social networks show uncropped.
 
-import { isDark } from "../core/derived/looks.ts";
+import { isDark } from "../core/derived/preferences.ts";
 import { attempts } from "../core/derived/duel.ts";
 import { result } from "../core/derived/home.ts";
 import { paint } from "../simulator.ts";
 import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.ts";
-import type { Card } from "../core/change/sheet.ts";
+import type { Card } from "../core/change/dialog.ts";
 import type { State } from "../core/state.ts";
 
 const WIDTH = 1200;

@@ -2,7 +2,7 @@
 
 import { setNotice, setText } from "../core/change/settings.ts";
 import { isHome } from "../core/derived/home.ts";
-import { language, theme } from "../core/derived/looks.ts";
+import { language, theme } from "../core/derived/preferences.ts";
 import { loadText } from "../text/languages.ts";
 import type { State } from "../core/state.ts";
 import type { Effect } from "../core/store.ts";

@@ -1,9 +1,9 @@
 // Sharing: a link, text and a picture. The link comes first; nothing waits for the picture.
 
-import { setLesson, setShare } from "../core/change/sheet.ts";
+import { setLesson, setShare } from "../core/change/dialog.ts";
 import { START, panelsOf } from "../core/change/route.ts";
 import { result, taskOfDay } from "../core/derived/home.ts";
-import { isDark } from "../core/derived/looks.ts";
+import { isDark } from "../core/derived/preferences.ts";
 import { taskOf } from "../core/derived/next.ts";
 import { benchmark } from "../simulator.ts";
 import { writeAddress } from "./address.ts";
@@ -14,7 +14,7 @@ import type { Effect, Store } from "../core/store.ts";
 
 export const cardEffect: Effect<State> = {
   needs: (state) =>
-    state.sheet === "share"
+    state.dialog === "share"
       ? [state.puzzle, state.kept.attempts, state.answers.turn, state.text, isDark(state), state.share.withBall]
       : null,
   async run(store, signal) {
@@ -68,7 +68,7 @@ function ownLink({ route, puzzle }: State): Link {
 }
 
 export const qrEffect: Effect<State> = {
-  needs: (state) => (state.sheet === "lesson" ? [lessonAddress(state)] : null),
+  needs: (state) => (state.dialog === "lesson" ? [lessonAddress(state)] : null),
   async run(store, signal) {
     const address = lessonAddress(store.state);
     // Loaded separately, because few people need it.

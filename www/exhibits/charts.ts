@@ -1,10 +1,10 @@
 // The charts of the exhibits, as SVG in the colours of exhibits.css.
 
 import { html, svg } from "lit-html";
-import { trend } from "./tries.ts";
+import { trend } from "./learns-timeline.ts";
 import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
 import type { TemplateResult } from "lit-html";
-import type { Played } from "./tries.ts";
+import type { Played } from "./learns-timeline.ts";
 import type { Bin } from "./results-file.ts";
 import type { ExhibitText } from "../text/exhibits-en.ts";
 

@@ -5,12 +5,12 @@ import { html, nothing } from "lit-html";
 import { load } from "pathlight";
 import { ballsChart } from "./charts.ts";
 import { isDark, loadText, onDarkChange, puzzleAddress, show, still } from "./exhibit.ts";
-import { duration, momentOf, playedOf, solvedAt } from "./tries.ts";
+import { duration, momentOf, playedOf, solvedAt } from "./learns-timeline.ts";
 import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
 import type { TemplateResult } from "lit-html";
 import type { Pathlight } from "pathlight";
 import type { Answer, Game } from "./learns-worker.ts";
-import type { Played } from "./tries.ts";
+import type { Played } from "./learns-timeline.ts";
 
 /** Number of puzzles in a sequence. */
 const ROW = 20;

@@ -69,7 +69,7 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
 
   on(around, "keydown", (event: KeyboardEvent) => {
     const action = keyAction(event);
-    if (!action || store.state.sheet || event.defaultPrevented || isTyped(event, action)) return;
+    if (!action || store.state.dialog || event.defaultPrevented || isTyped(event, action)) return;
     if (act(action, event.repeat)) event.preventDefault();
   });
 

@@ -4,7 +4,7 @@ import { introPaths, introShown } from "../core/derived/home.ts";
 import { isHidden, shownPanel } from "../core/derived/hidden.ts";
 import { hints, shownGuess, shownLayers } from "../core/derived/imagined.ts";
 import { fault, solutions } from "../core/derived/placing.ts";
-import { isDark } from "../core/derived/looks.ts";
+import { isDark } from "../core/derived/preferences.ts";
 import { ended, lastStep, rollouts } from "../core/derived/run.ts";
 import { isSettled, making, selectedBody } from "../core/change/make.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";

@@ -630,7 +630,7 @@ export const share: Text["share"] = {
   end: "Im Link steckt alles: Sonst wird nirgends etwas gespeichert.",
 };
 
-// The sheet "About Pathlight".
+// The dialog "About Pathlight".
 export const about: Text["about"] = {
   idea: [
     "Pathlight ist ein Spiel gegen eine kleine KI, die plant, indem sie sich etwas vorstellt. Bevor eine Kugel fällt, malen vier kleine neuronale Netze, wohin das grüne Objekt von allein gelangt, wohin es soll, was Rot dafür tun muss und wo Rot beginnen sollte. Ein fünftes stellt sich vor, was irgendeine Kugel bewirkt.",

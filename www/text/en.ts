@@ -6,7 +6,7 @@ import { widthsIn } from "./widths.ts";
 import type { Failure } from "../core/change/model.ts";
 import type { Point } from "../core/change/placement.ts";
 import type { Notice } from "../core/change/settings.ts";
-import type { Preset, Sheet } from "../core/change/sheet.ts";
+import type { Dialog, Preset } from "../core/change/dialog.ts";
 import type { Step } from "../core/change/walkthrough.ts";
 import type { Named, NamedProblem, Role, Shape, Size } from "../core/derived/bodies.ts";
 import type { Outcome, Verdict } from "../core/derived/duel.ts";
@@ -451,7 +451,7 @@ export const share = {
     lesson: "Link for a lesson",
     about: "About Pathlight",
     forget: "Forget everything?",
-  } satisfies Record<Sheet, string>,
+  } satisfies Record<Dialog, string>,
 
   /** On the picture. */
   headline: (solvedAt: number | null) => (solvedAt === null ? "Can you solve it?" : `Solved ${first(solvedAt)}`),
@@ -520,7 +520,7 @@ export const share = {
   end: "The link holds everything: nothing is stored elsewhere.",
 };
 
-// The sheet "About Pathlight".
+// The dialog "About Pathlight".
 export const about = {
   idea: [
     "Pathlight is a game against a small AI that plans by imagining. Before a ball drops, four little neural nets draw where the green object goes by itself, where it should go, what red must do for that, and where red should start. A fifth imagines what any ball would lead to.",

@@ -5,7 +5,7 @@ import { live } from "lit-html/directives/live.js";
 import { attemptCount } from "../core/change/kept.ts";
 import { chooseModel } from "../core/change/model.ts";
 import { FIRST_BALL, place } from "../core/change/placement.ts";
-import { openSheet } from "../core/change/sheet.ts";
+import { openDialog } from "../core/change/dialog.ts";
 import { attempts as attemptsHere, meanDistance } from "../core/derived/duel.ts";
 import { overlap } from "../core/derived/imagined.ts";
 import { guess } from "../core/derived/placing.ts";
@@ -116,7 +116,7 @@ function attempts({ store }: App): View {
       <button ?disabled=${count === 0} @click=${() => saveAttempts(state)}>${text.data.save}</button>
       <label class="file"><input type="file" accept=".jsonl" @change=${opened} /><span>${text.data.open}</span></label>
       <button ?disabled=${attemptsHere(state).length === 0} @click=${() => saveTable(state)}>${text.data.table}</button>
-      <button ?disabled=${count === 0} @click=${() => store.change(openSheet, "forget")}>${text.home.forget}</button>
+      <button ?disabled=${count === 0} @click=${() => store.change(openDialog, "forget")}>${text.home.forget}</button>
     </div>`;
 
   function opened({ target }: Event): void {

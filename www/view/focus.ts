@@ -1,24 +1,24 @@
-// Keeps the focus when the focused element is removed or disabled: it moves to the control that opened the sheet, to
+// Keeps the focus when the focused element is removed or disabled: it moves to the control that opened the dialog, to
 // the tab of the panel that was left, or to the scene.
 
-import type { Sheet } from "../core/change/sheet.ts";
+import type { Dialog } from "../core/change/dialog.ts";
 
 /** Renders the document by `draw`. */
-export type Rendering = (sheet: Sheet | null, draw: () => void) => void;
+export type Rendering = (dialog: Dialog | null, draw: () => void) => void;
 
 /** `root` contains everything that is rendered. */
 export function keepingFocus(root: Document | ShadowRoot, scene: HTMLElement): Rendering {
-  let shown: Sheet | null = null;
+  let shown: Dialog | null = null;
   let opener: Element | null = null;
-  return (sheet, draw) => {
+  return (dialog, draw) => {
     const focused = root.activeElement;
     const panel = nameOf(focused?.closest(PANEL));
-    if (sheet && !shown) opener = focused;
+    if (dialog && !shown) opener = focused;
     draw();
-    if (shown && !sheet && !hasFocus()) focus(placeOf(opener));
+    if (shown && !dialog && !hasFocus()) focus(placeOf(opener));
     else if (focused && (!focused.isConnected || focused.matches(":disabled")))
       focus(panel && panel !== nameOf(root.querySelector(PANEL)) ? root.querySelector(TAB) : scene);
-    shown = sheet;
+    shown = dialog;
   };
 
   function hasFocus(): boolean {

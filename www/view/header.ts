@@ -5,11 +5,11 @@ import { goBy, goTo, puzzleBy } from "../opening.ts";
 import { showAgain } from "../core/change/home.ts";
 import { choose } from "../core/change/kept.ts";
 import { present } from "../core/change/route.ts";
-import { openSheet } from "../core/change/sheet.ts";
+import { openDialog } from "../core/change/dialog.ts";
 import { canGoOn, isHidden } from "../core/derived/hidden.ts";
 import { isHome } from "../core/derived/home.ts";
 import { taskOf } from "../core/derived/next.ts";
-import { theme } from "../core/derived/looks.ts";
+import { theme } from "../core/derived/preferences.ts";
 import { LANGUAGES } from "../text/languages.ts";
 import { icon } from "./icons.ts";
 import type { Theme } from "../core/change/kept.ts";
@@ -30,7 +30,7 @@ export function header(app: App): View {
           >`
     }
     ${isHome(state) ? html`<strong class="picker">${text.page.brand}</strong>` : canGoOn(state) ? picker(app) : title(state)}
-    <button class="share" aria-label=${text.page.share} @click=${() => store.change(openSheet, "share")}>
+    <button class="share" aria-label=${text.page.share} @click=${() => store.change(openDialog, "share")}>
       ${icon("share")}
     </button>
     ${menu(app)}
@@ -91,11 +91,11 @@ function menu({ store }: App): View {
   const { text } = state;
   return html`<details class="menu" @keydown=${closed} @focusout=${left}>
     <summary aria-label=${text.page.menu}>${icon("menu")}</summary>
-    <div class="sheet">
+    <div>
       <div class="items">
-        <button @click=${() => store.change(openSheet, "lesson")}>${text.share.titles.lesson}</button>
+        <button @click=${() => store.change(openDialog, "lesson")}>${text.share.titles.lesson}</button>
         ${isHome(state) ? nothing : html`<button @click=${() => store.change(present, "presentation")}>${text.page.present}</button>`}
-        <button @click=${() => store.change(openSheet, "about")}>${text.share.titles.about}</button>
+        <button @click=${() => store.change(openDialog, "about")}>${text.share.titles.about}</button>
       </div>
       <fieldset>
         <legend>${text.page.language}</legend>

@@ -3,9 +3,9 @@
 import { html, nothing, svg } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
 import { goTo } from "../opening.ts";
-import { openSheet } from "../core/change/sheet.ts";
+import { openDialog } from "../core/change/dialog.ts";
 import { difficulty, introShown, kindsOf, progress, standing, taskOfDay, unsolvedTask } from "../core/derived/home.ts";
-import { isDark } from "../core/derived/looks.ts";
+import { isDark } from "../core/derived/preferences.ts";
 import { taskOf } from "../core/derived/next.ts";
 import { goal } from "../core/derived/placing.ts";
 import { writeAddress } from "../effects/address.ts";
@@ -133,7 +133,7 @@ function progressMenu({ store }: App): View {
       ${
         made.attempts
           ? html`<button @click=${() => saveAttempts(store.state)}>${text.home.save}</button>
-              <button @click=${() => store.change(openSheet, "forget")}>${text.home.forget}</button>`
+              <button @click=${() => store.change(openDialog, "forget")}>${text.home.forget}</button>`
           : nothing
       }
       <label class="button">

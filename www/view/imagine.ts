@@ -4,7 +4,7 @@ import { html, nothing } from "lit-html";
 import { toggleLayer } from "../core/change/route.ts";
 import { STEPS, go, goTo, stepIndex, toggleTour } from "../core/change/walkthrough.ts";
 import { extent, shownLayers } from "../core/derived/imagined.ts";
-import { isDark } from "../core/derived/looks.ts";
+import { isDark } from "../core/derived/preferences.ts";
 import { goal } from "../core/derived/placing.ts";
 import { MAPS } from "../pkg/constants.ts";
 import { mapTile } from "../simulator.ts";

@@ -1,7 +1,7 @@
 // Current messages: the ball's place, or the verdict of a round.
 
 import { html, nothing } from "lit-html";
-import { openSheet } from "../core/change/sheet.ts";
+import { openDialog } from "../core/change/dialog.ts";
 import { show } from "../core/change/run.ts";
 import { searched, shownSolution } from "../core/derived/check.ts";
 import { introMiss, introPhase, introShown } from "../core/derived/home.ts";
@@ -34,7 +34,7 @@ export function news(app: App): View {
     ${details(state, told).map((sentence) => html`<p>${sentence}</p>`)} ${unveil(app)}
     ${
       isWon && !app.embedded
-        ? html`<button @click=${() => app.store.change(openSheet, "share")}>${state.text.share.send}</button>`
+        ? html`<button @click=${() => app.store.change(openDialog, "share")}>${state.text.share.send}</button>`
         : nothing
     }
   </div>`;

@@ -15,7 +15,7 @@ import { problem } from "./make.ts";
 import { gallery, headline, picks } from "./home.ts";
 import { panels } from "./panels.ts";
 import { announcement, news } from "./news.ts";
-import { sheets } from "./sheets.ts";
+import { dialogs } from "./dialogs.ts";
 import type { App, View } from "./view.ts";
 
 export function page(app: App): View {
@@ -36,7 +36,7 @@ export function page(app: App): View {
     </main>
     ${home && app.parts > 2 ? gallery(app) : nothing}
     <p class="unseen" role="status">${announcement(state)}</p>
-    ${sheets(app)}
+    ${dialogs(app)}
   </div>`;
 }
 

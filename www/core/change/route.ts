@@ -69,14 +69,14 @@ export function linkTo({ route }: State, task: string): Link {
 
 /** Moves within the open puzzle. The ball stays where it is unless the link names one. */
 export function routed(state: State, { ball, ...route }: Link): State {
-  return arrived(placeLinked({ ...state, route, notice: null, sheet: null }, ball));
+  return arrived(placeLinked({ ...state, route, notice: null, dialog: null }, ball));
 }
 
 /** Moves to another puzzle, which has been opened. */
 export function opened(state: State, { ball, ...route }: Link, puzzle: Puzzle): State {
   const first = { placement: NO_BALL, run: null, answers: NO_ANSWERS, check: null, sketch: NO_SKETCH, make: null };
   const there = { ...state, route, puzzle, ...first };
-  const home = { intro: introOf(route, puzzle), sheet: null, notice: null };
+  const home = { intro: introOf(route, puzzle), dialog: null, notice: null };
   return { ...placeLinked(there, ball), ...home };
 }
 
@@ -89,7 +89,7 @@ export function openPanel(state: State, panel: Panel): State {
 
 /** Starts or ends the presentation. */
 export function present(state: State, view: Route["view"]): State {
-  return { ...state, route: { ...state.route, view }, sheet: null };
+  return { ...state, route: { ...state.route, view }, dialog: null };
 }
 
 /** Shows or hides a map over the scene, starting from the maps of the current step of the walkthrough. */

@@ -1,11 +1,11 @@
-// The sheets over the page: sharing, a link for a lesson, about, and the confirmation before forgetting everything.
+// The dialogs over the page: sharing, a link for a lesson, about, and the confirmation before forgetting everything.
 
 import { hideable, panelsOf } from "./route.ts";
 import { attempts } from "../derived/duel.ts";
 import type { Hideable, Panel } from "./route.ts";
 import type { State } from "../state.ts";
 
-export type Sheet = "share" | "lesson" | "about" | "forget";
+export type Dialog = "share" | "lesson" | "about" | "forget";
 
 /** The result as a picture. */
 export type Card =
@@ -39,10 +39,10 @@ export interface Lesson {
 export const SHARE: Share = { withBall: false, card: { kind: "drawing" }, done: null };
 export const LESSON: Lesson = { preset: "everything", hide: [], tasks: "", presentation: false, code: null };
 
-export function openSheet(state: State, sheet: Sheet | null): State {
+export function openDialog(state: State, dialog: Dialog | null): State {
   const { id } = state.puzzle.about;
   const lesson = { ...LESSON, tasks: state.route.lesson.join(" ") || (id ?? "") };
-  return { ...state, sheet, share: SHARE, lesson };
+  return { ...state, dialog, share: SHARE, lesson };
 }
 
 export function setShare(state: State, change: Partial<Share>): State {
@@ -73,5 +73,5 @@ export function toggleHidden(state: State, part: Hideable): State {
 /** Forgets all attempts. Other tabs compare the time with theirs (ms since 1970). */
 export function forget(state: State, now: number): State {
   const kept = { ...state.kept, attempts: {}, forgotten: now };
-  return { ...state, kept, run: attempts(state).length > 0 ? null : state.run, sheet: null };
+  return { ...state, kept, run: attempts(state).length > 0 ? null : state.run, dialog: null };
 }

@@ -1,39 +1,39 @@
-// The sheets over the page: one at a time, closed by its button, by Escape, or by a click outside it.
+// The dialogs over the page: one at a time, closed by its button, by Escape, or by a click outside it.
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { ref } from "lit-html/directives/ref.js";
 import { hideable } from "../core/change/route.ts";
-import { PRESETS, forget, openSheet, setLesson, setShare, toggleHidden, usePreset } from "../core/change/sheet.ts";
+import { PRESETS, forget, openDialog, setLesson, setShare, toggleHidden, usePreset } from "../core/change/dialog.ts";
 import { playerSolvedAt } from "../core/derived/duel.ts";
 import { canShare, copy, lessonAddress, lessonTasks, share, shareAddress, shareText } from "../effects/sharing.ts";
 import { download } from "../effects/files.ts";
 import { checkbox } from "./widgets.ts";
 import type { Hideable } from "../core/change/route.ts";
-import type { Sheet } from "../core/change/sheet.ts";
+import type { Dialog } from "../core/change/dialog.ts";
 import type { App, View } from "./view.ts";
 
-const SHEETS: Record<Sheet, (app: App) => View> = {
-  share: shareSheet,
-  lesson: lessonSheet,
+const DIALOGS: Record<Dialog, (app: App) => View> = {
+  share: shareDialog,
+  lesson: lessonDialog,
   about,
-  forget: forgetSheet,
+  forget: forgetDialog,
 };
 
-export function sheets(app: App): View {
+export function dialogs(app: App): View {
   const { store } = app;
-  const { sheet, text } = store.state;
-  if (!sheet) return nothing;
-  return html`<dialog aria-label=${text.share.titles[sheet]} ${ref(show)} @close=${closed} @click=${clicked}>
+  const { dialog, text } = store.state;
+  if (!dialog) return nothing;
+  return html`<dialog aria-label=${text.share.titles[dialog]} ${ref(show)} @close=${closed} @click=${clicked}>
     <div class="row">
-      <h2>${text.share.titles[sheet]}</h2>
+      <h2>${text.share.titles[dialog]}</h2>
       <button @click=${closed}>${text.page.dismiss}</button>
     </div>
-    ${SHEETS[sheet](app)}
+    ${DIALOGS[dialog](app)}
   </dialog>`;
 
   function closed(): void {
-    store.change(openSheet, null);
+    store.change(openDialog, null);
   }
 
   function clicked({ target, currentTarget }: Event): void {
@@ -41,7 +41,7 @@ export function sheets(app: App): View {
   }
 }
 
-/** Shows a sheet once it has been rendered into the document. */
+/** Shows a dialog once it has been rendered into the document. */
 function show(element: Element | undefined): void {
   queueMicrotask(() => {
     const dialog = element as HTMLDialogElement | undefined;
@@ -49,7 +49,7 @@ function show(element: Element | undefined): void {
   });
 }
 
-function shareSheet({ store }: App): View {
+function shareDialog({ store }: App): View {
   const { state } = store;
   const { text } = state;
   const { card, withBall, done } = state.share;
@@ -78,7 +78,7 @@ function shareSheet({ store }: App): View {
     }`;
 }
 
-function lessonSheet({ store }: App): View {
+function lessonDialog({ store }: App): View {
   const { state } = store;
   const { text, lesson } = state;
   const address = lessonAddress(state);
@@ -165,11 +165,11 @@ function about({ store }: App): View {
 const PAPER = "https://arxiv.org/abs/2011.07357";
 const PHYRE = "https://arxiv.org/abs/1908.05656";
 
-function forgetSheet({ store }: App): View {
+function forgetDialog({ store }: App): View {
   const { text } = store.state;
   return html`<p>${text.home.forgetHint}</p>
     <p class="row">
-      <button @click=${() => store.change(openSheet, null)}>${text.home.keep}</button>
+      <button @click=${() => store.change(openDialog, null)}>${text.home.keep}</button>
       <button @click=${() => store.change(forget, Date.now())}>${text.home.forget}</button>
     </p>`;
 }
