@@ -195,10 +195,11 @@ pub struct DynamicsCard {
     pub path_weights: PathWeights,
     /// Number of labelled balls that the batches are drawn from.
     pub balls: usize,
-    /// Number of scenes that are unlisted tasks: laid out by a template's script, not listed by the benchmark.
+    /// Number of scenes that are unlisted tasks: laid out by a template's script, not listed by the benchmark. The larger
+    /// number if it started from a net that had learned from more of them.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub unlisted: usize,
-    /// Number of random scenes, which belong to no task.
+    /// Number of random scenes, which belong to no task, counted in the same way.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub random_scenes: usize,
     /// The scenes that it has learned from, including those of the nets that it started from.

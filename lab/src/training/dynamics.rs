@@ -99,7 +99,9 @@ impl Settings {
         let without_dev = self.without_dev || card.without_dev;
         let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
         let from = self.from.as_deref().map(|path| self.dynamics_of(path, without_dev)).transpose()?;
-        let began_with = from.as_ref().map_or(LearnedFrom::RandomScenes, |(_, card)| card.learned_from);
+        let before = from.as_ref().map(|(_, card)| card);
+        let began_with = before.map_or(LearnedFrom::RandomScenes, |card| card.learned_from);
+        let (unlisted, random_scenes) = before.map_or((0, 0), |card| (card.unlisted, card.random_scenes));
         card.success = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.run.seed,
@@ -111,8 +113,8 @@ impl Settings {
             learning_rate,
             path_weights,
             balls: scenes.balls(),
-            unlisted: scenes.unlisted(),
-            random_scenes: scenes.random(),
+            unlisted: scenes.unlisted().max(unlisted),
+            random_scenes: scenes.random().max(random_scenes),
             learned_from: scenes.learned_from().max(began_with),
             without_dev,
             from: self.from.as_deref().map(digest).transpose()?,

@@ -102,16 +102,10 @@ fn recipes_make_results_and_the_table_reads_them() {
     fs::write(&stray, cut.to_string()).expect("written");
     assert_refused(&report_alone, "does not hold an attempt for each of its 25 tasks");
 
-    assert_refused(
-        &[&words[..], &["--recipe", "none"]].concat(),
-        "there is no recipe none: name one of small, remembering",
-    );
+    assert_refused(&[&words[..], &["--recipe", "none"]].concat(), "no recipe none: name one of small, remembering");
     fs::write(file("wrong.toml"), SMALL.replace("after = \"small\"", "after = \"large\"")).expect("written");
     let wrong = file("wrong.toml").display().to_string();
-    assert_refused(
-        &["reproduce", "--recipes", &wrong],
-        "the recipe remembering must come below the one in its `after`",
-    );
+    assert_refused(&["reproduce", "--recipes", &wrong], "remembering must come below the one in its `after`");
     fs::write(file("wrong.toml"), SMALL.replace("train success", "train everything")).expect("written");
     let others = ["--results", &format!("{results}-others"), "--runs", &runs, "--recipe", "small", "--fold", "2"];
     assert_refused(&[&["reproduce", "--recipes", &wrong][..], &others].concat(), "the recipe small cannot be followed");
