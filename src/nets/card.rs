@@ -195,8 +195,8 @@ pub struct DynamicsCard {
     pub path_weights: PathWeights,
     /// Number of labelled balls that the batches are drawn from.
     pub balls: usize,
-    /// Number of scenes that are unlisted tasks: laid out by a template's script, not listed by the benchmark. The larger
-    /// number if it started from a net that had learned from more of them.
+    /// Number of scenes that are unlisted tasks: laid out by a template's script, not listed by the benchmark. If it
+    /// started from a net that had learned from more of them, their number.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub unlisted: usize,
     /// Number of random scenes, which belong to no task, counted in the same way.
