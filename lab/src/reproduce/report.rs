@@ -147,8 +147,8 @@ fn by_template(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
         let names: Vec<&str> = setups.iter().map(|results| results[0].recipe.name.as_str()).collect();
         writeln!(
             text,
-            "\n## By template, {}\n\nAuccess of the first agent of each recipe over the tasks of all folds that test a \
-             template, and of the paper's nets as published.\n\n| template | {} | published |\n| --- |{}",
+            "\n## By template, {}\n\nAuccess of the first agent of each recipe over all measured tasks of a template, \
+             and of the paper's nets as published.\n\n| template | {} | published |\n| --- |{}",
             setups[0][setup].setup,
             names.join(" | "),
             " ---: |".repeat(names.len() + 1)
