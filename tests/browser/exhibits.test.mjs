@@ -163,7 +163,7 @@ test("it says which nets have learned from more than PHYRE's training tasks, as 
 test("means over ten folds stand apart, and are those of the report", async () => {
   // The page has no means over fewer folds.
   const report = (await readFile(new URL("../../results/README.md", import.meta.url), "utf8")).replaceAll(
-    /[\d.]+ \(\d of 10 folds\)/g,
+    /[\d.]+( ± [\d.]+)? \(\d of 10 folds\)/g,
     "–",
   );
   const page = await open("results.html", { locale: "en-GB" });
