@@ -63,7 +63,8 @@ export async function puzzleOf(text: string): Promise<Puzzle | BadScene> {
 
 /** Opens a playable custom puzzle. */
 export async function openScene(store: Store<State>, scene: CustomScene): Promise<void> {
-  follow(store, { ...store.state.route, task: null, scene: await textOfScene(scene), ball: null });
+  const text = await textOfScene(scene);
+  follow(store, linkTo(store.state, { scene: text }));
 }
 
 /** Handles the large button. */
@@ -107,7 +108,7 @@ export function goBy(store: Store<State>, places: number): void {
 }
 
 export function goTo(store: Store<State>, task: string): void {
-  follow(store, linkTo(store.state, task));
+  follow(store, linkTo(store.state, { task }));
 }
 
 function suggested({ puzzle, kept }: State): string {

@@ -89,7 +89,7 @@ test("the last puzzle of a lesson offers none after it", () => {
 });
 
 test("the walkthrough goes on to another puzzle, but not to its last step, which would play a ball", () => {
-  const at = (step: Link["step"]) => linkTo({ ...fresh, route: { ...fresh.route, step } }, "00001:002").step;
+  const at = (step: Link["step"]) => linkTo({ ...fresh, route: { ...fresh.route, step } }, { task: "00001:002" }).step;
   assert.deepEqual([at("action"), at("run")], ["action", null]);
 });
 

@@ -155,12 +155,16 @@ test("keys move, resize and turn by one or further; a held key is one gesture", 
 });
 
 test("the changed scene becomes the puzzle, with attempts of its own, and the ball stays", () => {
-  const changed = nudge(select(place(fresh, MISSING, null), BAR), 5, 0, 0, "key 1");
+  const challenged = { ...fresh, route: { ...fresh.route, challenge: 2 } };
+  const changed = nudge(select(place(challenged, MISSING, null), BAR), 5, 0, 0, "key 1");
   assert.ok(isSettled(fresh) && !isSettled(changed));
-  const next = remade(changed, { ...puzzle(), key: "digest", custom: making(changed).scene }, "text");
+  const next = remade(changed, { ...puzzle(), key: "digest", custom: making(changed).scene }, { scene: "text" });
   assert.ok(isSettled(next));
-  assert.deepEqual([next.route.task, next.route.scene, next.placement.ball], [null, "text", MISSING]);
-  assert.deepEqual(placed(undo(next), BAR), [160, 100]);
+  const { task, scene, challenge } = next.route;
+  assert.deepEqual([task, scene, challenge, next.placement.ball], [null, "text", null, MISSING]);
+  // Undo leads back to the task, unnamed, as the puzzle that it was.
+  const back = making(undo(next));
+  assert.ok(back.scene === back.origin.custom && back.origin === fresh.puzzle);
   assert.equal(opened(next, { ...START, task: "00001:000" }, puzzle("00001:000")).make, null);
 });
 

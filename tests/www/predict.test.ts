@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { answered } from "../../www/core/change/model.ts";
-import { place } from "../../www/core/change/placement.ts";
+import { place, redo, undo } from "../../www/core/change/placement.ts";
 import { openPanel } from "../../www/core/change/route.ts";
 import { advance, again } from "../../www/core/change/run.ts";
 import {
@@ -13,7 +13,6 @@ import {
   nudgeSketch,
   pressSketch,
   releaseSketch,
-  takeBallAway,
   wipe,
 } from "../../www/core/change/sketch.ts";
 import { attempts, nextStep, verdict } from "../../www/core/derived/duel.ts";
@@ -68,10 +67,23 @@ test("a run does not stay for a prediction, which needs the scene as it was", ()
 test("off the object the pointer places the ball; one that the browser takes away leaves the line", () => {
   const placed = pressSketch(line, 1, [150, 150], REACH);
   assert.deepEqual([placed.placement.ball, placed.sketch.line.length], [[150, 150, 12], 3]);
-  assert.equal(takeBallAway(releaseSketch(placed, 1)).placement.ball, null);
   const drawing = dragSketch(pressSketch(line, 1, [50, 50], REACH), 1, [10, 10]);
   assert.deepEqual(cancelSketch(drawing, 1).sketch, line.sketch);
   assert.equal(pressSketch(drawing, 2, [150, 150], REACH), drawing);
+});
+
+test("line and ball are undone in the order in which they were made", () => {
+  const both = drawn(place(place(predicting, MISSING, null), null, null), [90, 90]);
+  const undone = [undo(both), undo(undo(both)), undo(undo(undo(both)))];
+  const seen = [both, ...undone].map(({ sketch, placement }) => [sketch.line.length, placement.ball]);
+  assert.deepEqual(seen, [
+    [2, null],
+    [0, null],
+    [0, MISSING],
+    [0, null],
+  ]);
+  assert.deepEqual(redo(undone[0]!).sketch, both.sketch);
+  assert.deepEqual(undo(wipe(both)).sketch, both.sketch);
 });
 
 test("keys draw too, and change the size of the ball", () => {

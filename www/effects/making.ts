@@ -15,9 +15,10 @@ export const makingEffect: Effect<State> = {
   async run(store, signal) {
     const { make, puzzle } = store.state;
     if (!make || make.scene === puzzle.custom || problemsOf(make.scene).length) return;
-    const next = openPuzzle(make.scene);
-    const link = await textOfScene(next.custom);
-    if (!signal.aborted) store.change(remade, next, link);
+    const next = make.scene === make.origin.custom ? make.origin : openPuzzle(make.scene);
+    const { id } = next.about;
+    const named = id === null ? { scene: await textOfScene(next.custom) } : { task: id };
+    if (!signal.aborted) store.change(remade, next, named);
   },
 };
 

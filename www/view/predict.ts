@@ -1,7 +1,8 @@
 // The panel Predict: what to do, and two buttons; the large one lets the scene run.
 
 import { html } from "lit-html";
-import { takeBallAway, wipe } from "../core/change/sketch.ts";
+import { place } from "../core/change/placement.ts";
+import { wipe } from "../core/change/sketch.ts";
 import type { App, View } from "./view.ts";
 
 export function predict({ store }: App): View {
@@ -9,7 +10,7 @@ export function predict({ store }: App): View {
   return html`<p>${text.predict.intro}</p>
     <div class="buttons">
       <button ?disabled=${sketch.line.length === 0} @click=${() => store.change(wipe)}>${text.predict.wipe}</button>
-      <button ?disabled=${placement.ball === null} @click=${() => store.change(takeBallAway)}>
+      <button ?disabled=${placement.ball === null} @click=${() => store.change(place, null, null)}>
         ${text.predict.noBall}
       </button>
     </div>

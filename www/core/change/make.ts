@@ -14,24 +14,24 @@ import {
   sizeOf,
   wrapped,
 } from "../derived/bodies.ts";
+import { NO_HISTORY, recorded, travelled } from "../history.ts";
 import { NO_ANSWERS } from "./model.ts";
+import { linkTo } from "./route.ts";
 import { SCENE_LIMITS, SCENE_SIZE } from "../../pkg/constants.ts";
 import type { Role, Shape, Size } from "../derived/bodies.ts";
+import type { History } from "../history.ts";
 import type { Point } from "./placement.ts";
+import type { Route } from "./route.ts";
 import type { Puzzle } from "../puzzle.ts";
 import type { State } from "../state.ts";
 import type { CustomBody, CustomScene } from "../../pkg/page/pathlight.js";
 
-export interface Making {
+export interface Making extends History<CustomScene> {
   readonly scene: CustomScene;
+  /** The puzzle that is being changed. Undo leads back to it. */
+  readonly origin: Puzzle;
   /** The index of the selected body. */
   readonly selected: number | null;
-  /** States that undo returns to, the latest last. */
-  readonly past: readonly CustomScene[];
-  /** States that redo returns to, the next one last. */
-  readonly future: readonly CustomScene[];
-  /** The gesture that changed the scene last. Changes of one gesture are undone together. */
-  readonly gesture: string | null;
   readonly drag: BodyDrag | null;
 }
 
@@ -45,7 +45,6 @@ export interface BodyDrag {
   readonly before: Pick<State, "make" | "run">;
 }
 
-const MOST_UNDONE = 200;
 /** Dragged values are rounded to these, which keeps links short and bodies straight. */
 const PX = 1;
 const DEGREES = 5;
@@ -77,7 +76,7 @@ const EMPTY: CustomScene = {
 
 /** Returns the scene being made: that of the puzzle, until something is changed. */
 export function making({ make, puzzle }: State): Making {
-  return make ?? { scene: puzzle.custom, selected: null, past: [], future: [], gesture: null, drag: null };
+  return make ?? { ...NO_HISTORY, scene: puzzle.custom, origin: puzzle, selected: null, drag: null };
 }
 
 export function selectedBody(state: State): CustomBody | null {
@@ -91,12 +90,13 @@ export function isSettled({ make, puzzle }: State): boolean {
 }
 
 /** Records that the scene being made has been opened: it is now the puzzle, with its own attempts. The ball stays. */
-export function remade(state: State, puzzle: Puzzle, link: string): State {
+export function remade(state: State, puzzle: Puzzle, named: Partial<Pick<Route, "task" | "scene">>): State {
   if (!state.make) return state;
+  const { ball: _, ...route } = linkTo(state, named);
   return {
     ...state,
     puzzle,
-    route: { ...state.route, task: null, scene: link },
+    route,
     make: { ...state.make, scene: puzzle.custom },
     // The maps of the previous scene stay until new ones arrive.
     answers: { ...NO_ANSWERS, maps: state.answers.maps },
@@ -266,22 +266,21 @@ export function turnBy(state: State, degrees: number, gesture: string): State {
 }
 
 export function undo(state: State): State {
-  const { scene, past, future } = making(state);
-  if (past.length === 0) return state;
-  return travel(state, { scene: past.at(-1)!, past: past.slice(0, -1), future: [...future, scene] });
+  return travel(state, "past");
 }
 
 export function redo(state: State): State {
-  const { scene, past, future } = making(state);
-  if (future.length === 0) return state;
-  return travel(state, { scene: future.at(-1)!, past: [...past, scene], future: future.slice(0, -1) });
+  return travel(state, "future");
 }
 
-/** Ends a drag, which would otherwise move the body back at once. */
-function travel(state: State, change: Pick<Making, "scene" | "past" | "future">): State {
-  const { selected } = making(state);
-  const isThere = selected !== null && selected < change.scene.bodies.length;
-  return withMake(state, { ...change, selected: isThere ? selected : null, gesture: null, drag: null });
+/** Also ends a drag, which would otherwise move the body back at once. */
+function travel(state: State, to: "past" | "future"): State {
+  const now = making(state);
+  const there = travelled(now, to, now.scene);
+  if (!there) return state;
+  const { value: scene, ...lists } = there;
+  const selected = now.selected !== null && now.selected < scene.bodies.length ? now.selected : null;
+  return withMake(state, { ...lists, scene, selected, drag: null });
 }
 
 function withBody(state: State, change: Partial<CustomBody>, gesture: string | null): State {
@@ -296,9 +295,7 @@ function withBody(state: State, change: Partial<CustomBody>, gesture: string | n
 
 function withScene(state: State, scene: CustomScene, gesture: string | null): State {
   const now = making(state);
-  const isSame = gesture !== null && gesture === now.gesture;
-  const past = isSame ? now.past : [...now.past, named(state, now.scene)].slice(-MOST_UNDONE);
-  return withMake(state, { scene: named(state, scene), past, future: [], gesture });
+  return withMake(state, { ...recorded(now, now.scene, gesture), scene: named(state, scene) });
 }
 
 /** Renames a task of the benchmark that has been changed. */

@@ -1,20 +1,22 @@
 // Placing the ball: by pointer, wheel, keys, fields and links, with undo and redo.
 
+import { NO_HISTORY, recorded, travelled } from "../history.ts";
 import { sameBall } from "../puzzle.ts";
 import { MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../../pkg/constants.ts";
 import type { Ball } from "../../pkg/page/pathlight.js";
+import type { History } from "../history.ts";
 import type { State } from "../state.ts";
 
 export type Point = readonly [x: number, y: number];
 
-export interface Placement {
+/** What undo returns to: the ball, and the line of a prediction. */
+export interface Placed {
   readonly ball: Ball | null;
-  /** States that undo returns to, the latest last. */
-  readonly past: readonly (Ball | null)[];
-  /** States that redo returns to, the next one last. */
-  readonly future: readonly (Ball | null)[];
-  /** The gesture that moved the ball last. Moves of one gesture are undone together. */
-  readonly gesture: string | null;
+  readonly line: readonly Point[];
+}
+
+export interface Placement extends History<Placed> {
+  readonly ball: Ball | null;
   readonly drag: Drag | null;
   /** Whether the ball has been dropped and waits for the model's ball. */
   readonly dropped: boolean;
@@ -30,22 +32,23 @@ export interface Drag {
   readonly before: Pick<State, "placement" | "run">;
 }
 
-export const NO_BALL: Placement = { ball: null, past: [], future: [], gesture: null, drag: null, dropped: false };
+export const NO_BALL: Placement = { ...NO_HISTORY, ball: null, drag: null, dropped: false };
 export const FIRST_RADIUS = 12;
 /** Position at which the first key press places the ball. */
 export const FIRST_BALL: Ball = [SCENE_SIZE / 2, SCENE_SIZE - 40, FIRST_RADIUS];
 
-const MOST_UNDONE = 200;
-
-/** Places the ball, rounded and within the scene. Invalid placements are allowed and reported. */
-export function place(state: State, [x, y, r]: Ball, gesture: string | null): State {
-  const ball: Ball = [clamp(x, 0, SCENE_SIZE - 1), clamp(y, 0, SCENE_SIZE - 1), clamp(r, MIN_RADIUS, MAX_RADIUS)];
-  const { placement } = state;
-  if (sameBall(ball, placement.ball)) return state;
-  const isSame = gesture !== null && gesture === placement.gesture;
-  const past = isSame ? placement.past : [...placement.past, placement.ball].slice(-MOST_UNDONE);
-  return placing(state, { ball, past, future: [], gesture });
+/** Places the ball, rounded and within the scene, or takes it away. Invalid placements are allowed and reported. */
+export function place(state: State, to: Ball | null, gesture: string | null): State {
+  const ball = to && within(to);
+  return sameBall(ball, state.placement.ball) ? state : placing(recording(state, gesture), { ball });
 }
+
+/** Records ball and line before a change of either. */
+export function recording(state: State, gesture: string | null): State {
+  return { ...state, placement: { ...state.placement, ...recorded(state.placement, placed(state), gesture) } };
+}
+
+const placed = ({ placement: { ball }, sketch: { line } }: State): Placed => ({ ball, line });
 
 /** Places the ball that a link names, if any; the route keeps the form of the link. */
 export function placeLinked(state: State, ball: Ball | null): State {
@@ -63,15 +66,20 @@ export function resize(state: State, r: number, gesture: string): State {
 }
 
 export function undo(state: State): State {
-  const { ball, past, future } = state.placement;
-  if (past.length === 0) return state;
-  return travel(state, { ball: past.at(-1)!, past: past.slice(0, -1), future: [...future, ball] });
+  return travel(state, "past");
 }
 
 export function redo(state: State): State {
-  const { ball, past, future } = state.placement;
-  if (future.length === 0) return state;
-  return travel(state, { ball: future.at(-1)!, past: [...past, ball], future: future.slice(0, -1) });
+  return travel(state, "future");
+}
+
+/** Also ends a drag, which would otherwise move the ball back at once. */
+function travel(state: State, to: "past" | "future"): State {
+  const there = travelled(state.placement, to, placed(state));
+  if (!there) return state;
+  const { value, ...lists } = there;
+  const placement = { ...lists, ball: value.ball, drag: null };
+  return { ...placing(state, placement), sketch: { line: value.line, drawing: null } };
 }
 
 /** Handles a pointer going down: it grabs the knob or ball within its reach (px), or places the ball and grabs it. */
@@ -86,8 +94,8 @@ export function press(state: State, pointer: number, [x, y]: Point, reach: { kno
   if (ball && toKnob < reach.knob && toKnob < toCentre) return placing(state, { ...held("rim", 0, 0), gesture: null });
   if (ball && toCentre <= Math.max(ball[2], reach.ball))
     return placing(state, { ...held("centre", ball[0] - x, ball[1] - y), gesture: null });
-  const placed = place(placing(state, { gesture: null }), [x, y, ball?.[2] ?? FIRST_RADIUS], gestureOf(pointer));
-  return placing(placed, held("centre", 0, 0));
+  const moved = place(placing(state, { gesture: null }), [x, y, ball?.[2] ?? FIRST_RADIUS], gestureOf(pointer));
+  return placing(moved, held("centre", 0, 0));
 }
 
 export function drag(state: State, pointer: number, [x, y]: Point): State {
@@ -123,13 +131,12 @@ export function leaveLastStep(state: State): State {
   return state.route.step === "run" ? { ...state, route: { ...state.route, step: null } } : state;
 }
 
-/** Ends a drag, which would otherwise move the ball back at once. */
-function travel(state: State, change: Partial<Placement>): State {
-  return placing(state, { ...change, gesture: null, drag: null });
+export function gestureOf(pointer: number): string {
+  return `pointer ${pointer}`;
 }
 
-function gestureOf(pointer: number): string {
-  return `pointer ${pointer}`;
+function within([x, y, r]: Ball): Ball {
+  return [clamp(x, 0, SCENE_SIZE - 1), clamp(y, 0, SCENE_SIZE - 1), clamp(r, MIN_RADIUS, MAX_RADIUS)];
 }
 
 function clamp(value: number, least: number, most: number): number {

@@ -60,11 +60,11 @@ export const START: Link = {
   ball: null,
 };
 
-/** The link from here to another task. */
-export function linkTo({ route }: State, task: string): Link {
+/** The link from here to another task or scene. */
+export function linkTo({ route }: State, named: Partial<Pick<Route, "task" | "scene">>): Link {
   // The last step of the walkthrough would play the model's ball at once.
   const step = route.step === "run" ? null : route.step;
-  return { ...route, task, step, scene: null, challenge: null, ball: null };
+  return { ...route, task: null, scene: null, step, challenge: null, ball: null, ...named };
 }
 
 /** Moves within the open puzzle. The ball stays where it is unless the link names one. */

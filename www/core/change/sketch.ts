@@ -1,7 +1,7 @@
 // Predicting: a person draws the path of the green object, starting at the object, and lets the scene run. Elsewhere in
 // the scene the pointer places the ball, as in Play.
 
-import { cancel, drag, nudge, placing, press, release } from "./placement.ts";
+import { cancel, drag, gestureOf, nudge, placing, press, recording, release } from "./placement.ts";
 import { drop, play } from "./run.ts";
 import { MIN_RADIUS, SCENE_SIZE } from "../../pkg/constants.ts";
 import { goal } from "../derived/placing.ts";
@@ -12,8 +12,8 @@ import type { State } from "../state.ts";
 export interface Sketch {
   /** Points from the middle of the object to the end of the line, px. */
   readonly line: readonly Point[];
-  /** The pointer that draws, and the line to restore if the browser takes that pointer away. */
-  readonly drawing: { readonly pointer: number; readonly before: readonly Point[] } | null;
+  /** The pointer that draws, and the state to restore if the browser takes that pointer away. */
+  readonly drawing: { readonly pointer: number; readonly before: Pick<State, "placement" | "run" | "sketch"> } | null;
 }
 
 export const NO_SKETCH: Sketch = { line: [], drawing: null };
@@ -33,7 +33,8 @@ export function pressSketch(state: State, pointer: number, point: Point, reach: 
   const goesOn = line.length > 0 && isNear(line.at(-1)!);
   const isAtObject = isNear(start(state)) || [MIN_RADIUS, reach.knob].some((r) => overlapsObject(state, [...point, r]));
   if (!goesOn && !isAtObject) return press(state, pointer, point, reach);
-  return sketching(state, { line: goesOn ? line : [start(state)], drawing: { pointer, before: line } });
+  const before = { placement: state.placement, run: state.run, sketch: state.sketch };
+  return sketching(state, { line: goesOn ? line : [start(state)], drawing: { pointer, before } }, gestureOf(pointer));
 }
 
 export function dragSketch(state: State, pointer: number, point: Point): State {
@@ -42,13 +43,13 @@ export function dragSketch(state: State, pointer: number, point: Point): State {
 
 export function releaseSketch(state: State, pointer: number): State {
   if (state.sketch.drawing?.pointer !== pointer) return release(state, pointer);
-  return { ...state, sketch: { ...state.sketch, drawing: null } };
+  return { ...placing(state, { gesture: null }), sketch: { ...state.sketch, drawing: null } };
 }
 
 export function cancelSketch(state: State, pointer: number): State {
   const { drawing } = state.sketch;
   if (drawing?.pointer !== pointer) return cancel(state, pointer);
-  return { ...state, sketch: { line: drawing.before, drawing: null } };
+  return { ...state, ...drawing.before };
 }
 
 /** Draws by arrow keys. Other keys and the wheel resize the ball. */
@@ -56,20 +57,11 @@ export function nudgeSketch(state: State, dx: number, dy: number, dr: number, ge
   if (dr !== 0) return state.placement.ball ? nudge(state, 0, 0, dr, gesture) : state;
   const line = state.sketch.line.length > 0 ? state.sketch.line : [start(state)];
   const [x, y] = line.at(-1)!;
-  return extended(sketching(state, { line, drawing: null }), [x + STRIDE * dx, y + STRIDE * dy]);
+  return extended(sketching(state, { line, drawing: null }, gesture), [x + STRIDE * dx, y + STRIDE * dy]);
 }
 
 export function wipe(state: State): State {
-  return sketching(state, NO_SKETCH);
-}
-
-export function takeBallAway(state: State): State {
-  return placing(state, {
-    ball: null,
-    drag: null,
-    gesture: null,
-    past: [...state.placement.past, state.placement.ball],
-  });
+  return sketching(state, NO_SKETCH, null);
 }
 
 /** Runs the scene, with the ball if there is one: an attempt, but not a duel. */
@@ -91,8 +83,8 @@ function extended(state: State, [x, y]: Point): State {
 }
 
 /** Changes the prediction, which ends the run. */
-function sketching(state: State, sketch: Sketch): State {
-  return { ...placing(state, { gesture: null }), sketch };
+function sketching(state: State, sketch: Sketch, gesture: string | null): State {
+  return { ...placing(recording(state, gesture), {}), sketch };
 }
 
 function start(state: State): Point {
