@@ -14,12 +14,12 @@ import {
   sizeOf,
   wrapped,
 } from "../derived/bodies.ts";
-import { NO_HISTORY, recorded, travelled } from "../history.ts";
+import { NO_HISTORY, recorded, travelled } from "../undo.ts";
 import { NO_ANSWERS } from "./model.ts";
 import { linkTo } from "./route.ts";
 import { SCENE_LIMITS, SCENE_SIZE } from "../../pkg/constants.ts";
 import type { Role, Shape, Size } from "../derived/bodies.ts";
-import type { History } from "../history.ts";
+import type { History } from "../undo.ts";
 import type { Point } from "./placement.ts";
 import type { Route } from "./route.ts";
 import type { Puzzle } from "../puzzle.ts";

@@ -1,10 +1,10 @@
 // Placing the ball: by pointer, wheel, keys, fields and links, with undo and redo.
 
-import { NO_HISTORY, recorded, travelled } from "../history.ts";
+import { NO_HISTORY, recorded, travelled } from "../undo.ts";
 import { sameBall } from "../puzzle.ts";
 import { MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../../pkg/constants.ts";
 import type { Ball } from "../../pkg/page/pathlight.js";
-import type { History } from "../history.ts";
+import type { History } from "../undo.ts";
 import type { State } from "../state.ts";
 
 export type Point = readonly [x: number, y: number];
