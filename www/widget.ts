@@ -57,6 +57,8 @@ async function render({ model, el }: { model: Model; el: HTMLElement }): Promise
     puzzle.ball = model.get("ball")?.join(",") ?? null;
   };
   show();
+  // Python names a task, which a changed puzzle is not.
+  puzzle.hide = "make";
   puzzle.theme = { true: "light", false: "dark" }[document.body.dataset.jpThemeLight ?? ""] ?? null;
   puzzle.addEventListener("statechange", ({ detail }) => {
     model.set("task", detail.task);

@@ -28,7 +28,7 @@ class Puzzle(anywidget.AnyWidget):
     Attributes:
         task: The id of the task.
         ball: The ball being placed: x, y, radius in whole px; None if there is none.
-        panel: The panel next to the scene: ``'play'``, ``'imagine'``, ``'predict'``, ``'make'`` or ``'data'``.
+        panel: The panel next to the scene: ``'play'``, ``'imagine'``, ``'predict'`` or ``'data'``.
         attempts: The player's attempts, each with ``task``, ``ball`` (px) and ``solved``.
     """
 
@@ -38,7 +38,7 @@ class Puzzle(anywidget.AnyWidget):
     ball = traitlets.Tuple(traitlets.Int(), traitlets.Int(), traitlets.Int(), allow_none=True, default_value=None).tag(
         sync=True
     )
-    panel = traitlets.Enum(["play", "imagine", "predict", "make", "data"], "play").tag(sync=True)
+    panel = traitlets.Enum(["play", "imagine", "predict", "data"], "play").tag(sync=True)
     attempts: "traitlets.List[Dict[str, Any]]" = traitlets.List().tag(sync=True)
 
     def __init__(self, task: str = "00007:008", **traits: Any):
