@@ -1,5 +1,5 @@
 // Runs before the first paint: sets the language and theme, whether the address names a puzzle, and whether it is the
-// first to be played. Without it, the English home page would flash. main.js has the final word.
+// first to be played. Without it, the English home page would flash. main.js and the exhibits have the final word.
 
 {
   const root = document.documentElement;

@@ -41,7 +41,7 @@ test("from the menu, in the language of the page; an earlier link leads there to
   await page.getByRole("heading", { name: "Dem Modell beim Lernen zusehen" }).waitFor();
   assert.equal(await page.locator("html").getAttribute("lang"), "de");
   await page.goto(`${session.origin}/#view=results`);
-  await page.getByRole("heading", { name: "How good are the models?" }).waitFor();
+  await page.getByRole("heading", { name: "Wie gut sind die Modelle?" }).waitFor();
 });
 
 test("twenty puzzles take it fewer balls than without memory; all is there after a visit to a puzzle, until it is forgotten", async () => {

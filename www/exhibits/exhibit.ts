@@ -1,5 +1,5 @@
 // Shared code of the exhibits: separate pages that use the public package and, from the main page, only its texts.
-// Language and theme are passed in the address: learns.html?lang=de&theme=dark.
+// first-look.js has set language and theme.
 
 import { html, render } from "lit-html";
 import { languageOf } from "../text/languages.ts";
@@ -7,21 +7,19 @@ import type { TemplateResult } from "lit-html";
 import type { ExhibitText } from "../text/exhibits-en.ts";
 
 const page = document.getElementById("page")!;
-const asked = new URLSearchParams(location.search);
+const root = document.documentElement;
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
 export const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 export function isDark(): boolean {
-  return (asked.get("theme") ?? (darkScheme.matches ? "dark" : "light")) === "dark";
+  return (root.dataset.theme ?? (darkScheme.matches ? "dark" : "light")) === "dark";
 }
 
 export async function loadText(): Promise<ExhibitText> {
-  const language = languageOf(asked.get("lang") ?? navigator.language) ?? "en";
+  const language = languageOf(root.lang) ?? "en";
   const { exhibits } = await import(`../text/exhibits-${language}.ts`);
-  const theme = asked.get("theme");
-  document.documentElement.lang = language;
-  if (theme) document.documentElement.dataset.theme = theme;
+  root.lang = language;
   // Remove the placeholder once the texts are loaded.
   page.replaceChildren();
   return exhibits;
