@@ -15,7 +15,7 @@ const OUT = new URL("home.json", ASSETS);
 const TASK = "00013:193";
 /** How many futures fan out. */
 const FUTURES = 40;
-/** How many of the puzzles that a model does not solve are recorded. */
+/** How many of the puzzles that the model does not solve are recorded. */
 const UNSOLVED = 30;
 
 /** @typedef {import("../www/api/index.ts").Pathlight} Pathlight */
@@ -91,20 +91,13 @@ function easiestNew(pathlight, tasks) {
 }
 
 /**
- * Returns, by model, the easiest puzzles that it does not solve in a hundred attempts.
+ * Returns the easiest puzzles that the model does not solve in a hundred attempts.
  * @param {Pathlight} pathlight
  */
 async function unsolvedTasks(pathlight) {
-  const { models } = await read("results.json");
-  return Object.fromEntries(
-    models.map(({ name, tasks, first_solved: { online } }) => [
-      name,
-      easiestFirst(
-        pathlight,
-        tasks.filter((_, index) => online[index] === null),
-      ).slice(0, UNSOLVED),
-    ]),
-  );
+  const [{ tasks, first_solved }] = (await read("results.json")).models;
+  const unsolved = tasks.filter((_, index) => first_solved.online[index] === null);
+  return easiestFirst(pathlight, unsolved).slice(0, UNSOLVED);
 }
 
 /**

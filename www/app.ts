@@ -23,7 +23,7 @@ import { description } from "./view/news.ts";
 import { page } from "./view/page.ts";
 import { thumbnailsPainted } from "./simulator.ts";
 import models from "../assets/model.json";
-import type { Kept } from "./core/change/kept.ts";
+import type { Kept, Theme } from "./core/change/kept.ts";
 import type { Language, Text } from "./text/languages.ts";
 import type { Device } from "./core/change/settings.ts";
 import type { Link } from "./core/change/route.ts";
@@ -45,6 +45,8 @@ export interface Given {
   /** Embedded in another page, without the header. */
   readonly embedded: boolean;
   readonly language: Language;
+  /** The theme that the embedding page asks for. */
+  readonly theme: Theme | null;
   readonly text: Text;
   /** Effects in addition to those of the model and the language. */
   readonly effects: readonly Effect<State>[];
@@ -75,7 +77,7 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 /** Shows a puzzle until the signal is aborted. */
 export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   const { ball, ...route } = given.link;
-  const device = (): Device => ({
+  const device = (): Omit<Device, "asked"> => ({
     language: given.language,
     theme: dark.matches ? "dark" : "light",
     stillness: still.matches,
@@ -87,7 +89,7 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   // The home page names no puzzle, although one is open on it.
   const isNamed = given.embedded || route.task !== null;
   const named = { ...route, task: isNamed ? id : null, scene: id === null ? route.scene : null };
-  const first = start(named, given.puzzle, given.kept, device(), given.text, ball);
+  const first = start(named, given.puzzle, given.kept, { ...device(), asked: given.theme }, given.text, ball);
   // Buttons far below the scene show something in it.
   const inView: Effect<State> = {
     needs(state) {
@@ -114,8 +116,10 @@ export async function mount(given: Given, signal: AbortSignal): Promise<App> {
   let before: number | null = null;
 
   listen(stage, given.keys, store, signal);
-  for (const query of [dark, still])
-    query.addEventListener("change", () => store.change(setDevice, device()), { signal });
+  const follow = () => store.change(setDevice, device());
+  for (const query of [dark, still]) query.addEventListener("change", follow, { signal });
+  // It may be another day by then.
+  document.addEventListener("visibilitychange", follow, { signal });
   // A page restored from the browser's cache continues as it was, but must load again what was loading.
   addEventListener("pageshow", ({ persisted }) => persisted && store.change(startModel), { signal });
   addEventListener("online", () => isOffline(store.state) && store.change(startModel), { signal });

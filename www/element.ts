@@ -9,7 +9,8 @@
 
 import { existing, follow, puzzleOf } from "./opening.ts";
 import { explained, filesAt, mount } from "./app.ts";
-import { NOTHING_KEPT, choose } from "./core/change/kept.ts";
+import { NOTHING_KEPT } from "./core/change/kept.ts";
+import { setDevice } from "./core/change/settings.ts";
 import { attempts, toldAttempts } from "./core/derived/duel.ts";
 import { theme } from "./core/derived/preferences.ts";
 import { nextTask } from "./core/derived/next.ts";
@@ -164,7 +165,7 @@ export class PathlightPuzzle extends HTMLElement {
     }
     if (!this.#app) return;
     const { store } = this.#app;
-    if (name === "theme") return store.change(choose, { theme: themeOf(now) });
+    if (name === "theme") return store.change(setDevice, { asked: themeOf(now) });
     const read = readParts(this.#parts(), store.state.text).link;
     // The attribute set last names the puzzle.
     const link = name === "task" && now !== null ? { ...read, scene: null } : read;
@@ -186,7 +187,7 @@ export class PathlightPuzzle extends HTMLElement {
   async #start(signal: AbortSignal): Promise<void> {
     const files = PathlightPuzzle.base === null ? filesHere() : filesAt(PathlightPuzzle.base);
     const remembers = isOn(this, "remember");
-    const kept = { ...(remembers ? readKept() : NOTHING_KEPT), theme: themeOf(this.getAttribute("theme")) };
+    const kept = remembers ? readKept() : NOTHING_KEPT;
     const language = this.#language();
     const [text] = await Promise.all([loadText(kept.language ?? language), loadSimulator(files.simulator)]);
     if (signal.aborted) return;
@@ -202,7 +203,7 @@ export class PathlightPuzzle extends HTMLElement {
     if (!puzzle) throw new Refusal(text.page.notice({ kind: "no_task", task }));
     const told = [this.#attributes(), this.#attempts(), this.#model()];
     const effects = [...told, ...(remembers ? [keepingEffect()] : [])];
-    const shown = { link, puzzle, kept, language, text };
+    const shown = { link, puzzle, kept, language, theme: themeOf(this.getAttribute("theme")), text };
     const given = { root: this.#root, keys: this.#root, ...shown, files, embedded: true, effects };
     const app = await mount(given, signal);
     if (signal.aborted) return;

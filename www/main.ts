@@ -26,7 +26,7 @@ async function run(root: HTMLElement): Promise<void> {
   const custom = shared && !("problem" in shared) ? shared : null;
   const named = custom ?? (link.task === null ? null : existing(link.task));
   const puzzle = named ?? openPuzzle(homeTask(kept));
-  const given = { root, keys: document, link, puzzle, kept, files, language, text };
+  const given = { root, keys: document, link, puzzle, kept, files, language, theme: null, text };
   const home = homeEffects(new URL("assets/home.json", import.meta.url).href);
   const effects = [addressEffect, documentEffect, keepingEffect(), ...home, cardEffect, qrEffect];
   const { store } = await mount({ ...given, embedded: false, effects }, forever);

@@ -12,6 +12,7 @@ import { isHome } from "./core/derived/home.ts";
 import { FIRST_TASK, neighbour, nextTask } from "./core/derived/next.ts";
 import { namedProblem } from "./core/derived/bodies.ts";
 import { readSceneText, textOfScene } from "./core/scene-text.ts";
+import { SETUPS } from "./model/shared.ts";
 import { benchmark, openPuzzle, problemsOf } from "./simulator.ts";
 import type { BadScene } from "./core/change/settings.ts";
 import type { Kept } from "./core/change/kept.ts";
@@ -92,7 +93,7 @@ export function takeNextStep(store: Store<State>): void {
 }
 
 /** Opens a puzzle that is new to person and model. */
-export function goNext(store: Store<State>): void {
+function goNext(store: Store<State>): void {
   if (store.state.route.lesson.length) return goBy(store, 1);
   goTo(store, suggested(store.state));
 }
@@ -117,5 +118,6 @@ function suggested({ puzzle, kept }: State): string {
 
 /** The puzzle in the picture on the home page: new to person and model. */
 export function homeTask({ attempts, model }: Kept): string {
-  return FIRST_TASK in attempts ? nextTask(benchmark(model), null, (task) => task in attempts) : FIRST_TASK;
+  const isFirst = model === SETUPS[0] && !(FIRST_TASK in attempts);
+  return isFirst ? FIRST_TASK : nextTask(benchmark(model), null, (task) => task in attempts);
 }

@@ -95,7 +95,7 @@ test("a browser that keeps nothing, and one that is full, are played in all the 
     await place(page, balls.missing[0]);
     await drop(page);
     await page.getByRole("list", { name: "You against the model" }).getByRole("button").waitFor();
-    if (notice) await page.getByRole("alert").getByText("This browser has no room left").waitFor();
+    if (notice) await page.getByRole("alert").getByText("This browser keeps nothing here").waitFor();
     else assert.equal(await page.getByRole("alert").count(), 0);
   }
 });
@@ -117,7 +117,7 @@ test("a file of 20,000 lines is read beside the play, and its attempts are count
   await page.getByRole("tab", { name: "Play" }).click();
   await drop(page);
   await alert.getByText(`${found} attempts in the file`).waitFor();
-  await alert.getByText(`${(20_000 - found).toLocaleString("en")} lines are no attempt`).waitFor();
+  await alert.getByText(`${(20_000 - found).toLocaleString("en")} lines aren’t attempts`).waitFor();
 });
 
 const linkOf = (json) => `#scene=${deflateRawSync(json).toString("base64url")}`;

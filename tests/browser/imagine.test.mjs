@@ -122,31 +122,6 @@ test("a prediction is drawn by keys, too", async () => {
   await says(page, /You were \d+% right|(closer|draw).*%/i);
 });
 
-test("attempts are saved, forgotten, and opened again from the file; a file of something else changes nothing", async () => {
-  const page = await openPuzzle(session, `#task=${EASY}`, STILL);
-  for (const ball of balls.missing.slice(0, 2)) {
-    await place(page, ball);
-    await drop(page);
-  }
-  await tab(page, "Data");
-  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Save").click()]);
-  const path = await download.path();
-  assert.equal((await readFile(path, "utf8")).trim().split("\n").length, 2);
-  await button(page, "Forget everything").click();
-  await page.getByRole("dialog").getByRole("button", { name: "Forget everything" }).click();
-  await page.getByText(/^0 attempts, kept/).waitFor();
-  await page.reload();
-  await page.getByText(/^0 attempts, kept/).waitFor();
-  const file = page.getByLabel("Open a file");
-  await file.setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("hello\n{}\n") });
-  await page.getByRole("alert").getByText("notes.txt is not a file of attempts").waitFor();
-  await file.setInputFiles(path);
-  await page.getByRole("alert").getByText("2 attempts in the file, 2 of them new here.").waitFor();
-  await page.getByText(/^2 attempts, kept/).waitFor();
-  await file.setInputFiles(path);
-  await page.getByRole("alert").getByText("none of them new here").waitFor();
-});
-
 test("numbers place the ball, tell how imagined and real paths agree, and another model plays on", async () => {
   const page = await openPuzzle(session, `#task=${EASY}&ball=${balls.missing[0].join()}`, STILL);
   await modelIsThere(page);
@@ -162,7 +137,7 @@ test("numbers place the ball, tell how imagined and real paths agree, and anothe
   assert.match(await readFile(await csv.path(), "utf8"), /player,1,.*\r\n.*within-0,1,/);
   const [png] = await Promise.all([page.waitForEvent("download"), button(page, "Save the maps as a picture").click()]);
   assert.equal((await readFile(await png.path())).subarray(1, 4).toString(), "PNG");
-  await page.getByRole("combobox", { name: "Model" }).selectOption({ label: "Model B: knows 20 of the 25 kinds" });
+  await page.getByRole("combobox", { name: "Model" }).selectOption({ label: "Model B: trained on random scenes" });
   await tab(page, "Play");
   await page.getByText(/^Model B\./).waitFor();
   await button(page, "Try again").click();

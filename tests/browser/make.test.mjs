@@ -165,7 +165,7 @@ test("puzzles are kept, opened, and deleted; saved as a file, and opened from it
   await title(page, "Mine");
   await button(page, "Keep in this browser").click();
   const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Save as a file").click()]);
-  assert.equal(download.suggestedFilename(), "mine.json");
+  assert.equal(download.suggestedFilename(), "pathlight-mine.json");
   const file = await readFile(await download.path());
   await page.goto(`${session.origin}/#task=${EASY}&panel=make`);
   await page.reload();

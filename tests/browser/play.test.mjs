@@ -139,20 +139,6 @@ test("after three misses every place that works can be shown", async () => {
   await page.getByText(/A ball of this size works at .+ of all places/).waitFor();
 });
 
-test("without the model's file one plays alone, and can load it again", async () => {
-  const page = await session.open("", STILL);
-  await page.route(/safetensors/, (route) => route.fulfill({ status: 404, body: "" }));
-  await page.goto(`${session.origin}/#task=${EASY}`);
-  await page.getByText("was not found on this server").waitFor();
-  await place(page, balls.missing[0]);
-  await drop(page);
-  assert.match(await says(page, /Not yet/), /^Not yet\./);
-  await page.unroute(/safetensors/);
-  await button(page, "Load it again").click();
-  await modelIsThere(page);
-  assert.ok(session.problems.splice(0).every((problem) => problem.includes("404")));
-});
-
 test("what a browser takes away comes back: the picture of the scene, and a model that failed", async () => {
   const page = await session.open("", STILL);
   await page.route(/safetensors/, (route) => route.abort());

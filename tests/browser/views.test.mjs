@@ -55,6 +55,9 @@ test("in a low window what plays a run again stays under the scene", async () =>
   await drop(page);
   const right = async (part) => part.boundingBox().then(({ x, width }) => x + width);
   assert.ok((await right(page.getByRole("combobox", { name: "Speed" }))) <= (await right(scene(page))) + 1);
+  await page.setViewportSize({ width: 932, height: 370 });
+  const { height } = await page.getByRole("tabpanel").locator("..").boundingBox();
+  assert.ok(height > 200, `there is room for the panel: ${height}`);
 });
 
 test("axe finds nothing while one places, after a miss, in the menu, with the check, and in the presentation", async () => {

@@ -89,6 +89,11 @@ test("a puzzle is played in a widget, and Python learns of it", async () => {
   const second = await page.evaluateHandle(renderWidget, { state: { ...state, panel: "imagine" }, files: [] });
   const puzzle = page.locator("pathlight-puzzle").nth(1);
   await puzzle.getByText("If you do nothing").filter({ visible: true }).first().waitFor({ timeout: 60_000 });
+  // It has one model, so there is none to choose, and no Make, for Python names a task.
+  await puzzle.getByRole("tab", { name: "Data" }).click();
+  await puzzle.getByRole("spinbutton", { name: "radius" }).waitFor();
+  const others = [puzzle.getByRole("combobox", { name: "Model" }), puzzle.getByRole("tab", { name: "Make" })];
+  assert.deepEqual(await Promise.all(others.map((one) => one.count())), [0, 0]);
   const asked = await Promise.all([widget, second].map((one) => one.evaluate(({ asked }) => asked())));
   assert.deepEqual(asked, [1, 0]);
   await page.close();

@@ -49,11 +49,9 @@ test("a puzzle helped only if it was solved, and made a solution likelier", () =
 });
 
 test("the trend is the geometric mean of the last five", () => {
-  assert.deepEqual(
-    trend([4, 1]),
-    [4, 2].map((mean) => Math.exp(Math.log(mean))),
-  );
-  assert.ok(Math.abs(trend([100, 1, 1, 1, 1, 1])[5]! - 1) < 1e-12);
+  const rounded = (balls: number[]) => trend(balls).map((mean) => Math.round(1e6 * mean) / 1e6);
+  assert.deepEqual(rounded([4, 1]), [4, 2]);
+  assert.equal(rounded([100, 1, 1, 1, 1, 1])[5], 1);
 });
 
 test("a line for each model, agent and task; a comma is quoted, and what was not solved is empty", () => {

@@ -120,7 +120,7 @@ test("the puzzle of a day is new to the model, not too hard, and another one the
 
 test("of those that the model never solved, the first is offered that the person has not solved", () => {
   assert.equal(unsolvedTask(fresh), null);
-  const known = setRecorded(fresh, { ...recorded, unsolved: { A: ["00000:000", "00001:000"] } });
+  const known = setRecorded(fresh, { ...recorded, unsolved: ["00000:000", "00001:000"] });
   assert.equal(unsolvedTask(known), "00000:000");
   assert.equal(unsolvedTask(playAt(known, SOLVING)), "00001:000");
 });

@@ -1,17 +1,16 @@
-// What the browser keeps: reading a document, two histories that merge, and storage that fails.
+// What the browser keeps: reading a document, merging it with another tab's, and storage that fails.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { NOTHING_KEPT, choose, keepPuzzles, merged, mergeKept } from "../../www/core/change/kept.ts";
+import { setDevice } from "../../www/core/change/settings.ts";
 import { attempts } from "../../www/core/derived/duel.ts";
+import { theme } from "../../www/core/derived/preferences.ts";
 import { Store } from "../../www/core/store.ts";
 import { keepingEffect, keptFrom, readKept } from "../../www/effects/keeping.ts";
-import { ATTEMPT_LIMIT } from "../../www/pkg/constants.ts";
 import { CUSTOM, MISSING, SOLVING, fresh, line, playAt } from "./player.ts";
 import type { Kept } from "../../www/core/change/kept.ts";
-import type { Ball } from "../../www/pkg/page/pathlight.js";
 
-const kept = (...balls: Ball[]): Kept => ({ ...NOTHING_KEPT, attempts: { a: balls.map((ball) => line(ball)) } });
 const ballsOf = ({ attempts }: Kept) => (attempts.a ?? []).map(({ ball }) => String(ball));
 
 const settled = () => new Promise((resolve) => setImmediate(resolve));
@@ -33,24 +32,6 @@ async function withStorage(capacity: number, run: (items: Map<string, string>) =
     Reflect.deleteProperty(globalThis, "localStorage");
   }
 }
-
-test("two histories merge without losing an attempt or a solution", () => {
-  const random = generator(7);
-  for (let round = 0; round < 300; round++) {
-    const [one, other] = [history(random), history(random)];
-    const both = ballsOf(merged(one, other));
-    const all = new Set([...ballsOf(one), ...ballsOf(other)]);
-    assert.equal(new Set(both).size, both.length);
-    assert.ok(both.length === Math.min(all.size, ATTEMPT_LIMIT));
-    const solutions = [...all].filter((ball) => Number(ball.split(",")[0]) > 200);
-    if (solutions.length <= ATTEMPT_LIMIT) for (const ball of solutions) assert.ok(both.includes(ball), ball);
-  }
-});
-
-test("merging again changes nothing", () => {
-  const one = kept(MISSING, SOLVING);
-  assert.deepEqual(merged(merged(one, kept([1, 2, 3])), one), merged(one, kept([1, 2, 3])));
-});
 
 test("what another tab has kept joins this one's, and its choices hold", () => {
   const here = playAt(fresh, MISSING);
@@ -74,7 +55,10 @@ test("of a custom puzzle what was done last counts, also that it was deleted", (
 test("only what is understood of this version's document is read", () => {
   assert.deepEqual(keptFrom(null), NOTHING_KEPT);
   assert.deepEqual(keptFrom({ version: 2, guess: false }), NOTHING_KEPT);
-  assert.deepEqual(keptFrom({ version: 1, guess: false, theme: "pink" }), { ...NOTHING_KEPT, guess: false });
+  assert.deepEqual(keptFrom({ version: 1, guess: false, theme: "pink", model: "none" }), {
+    ...NOTHING_KEPT,
+    guess: false,
+  });
   const damaged = [
     line(MISSING),
     null,
@@ -110,19 +94,8 @@ test("a full storage is said, and the person plays on", async () => {
   });
 });
 
-test("a browser that refuses its storage holds nothing up", () => {
+test("a browser that refuses its storage holds nothing up; a theme that the page around asks for comes first", () => {
   assert.deepEqual(readKept(), NOTHING_KEPT);
-  assert.equal(choose(fresh, { theme: "dark" }).kept.theme, "dark");
+  const chosen = choose(fresh, { theme: "dark" });
+  assert.deepEqual([theme(chosen), theme(setDevice(chosen, { asked: "light" }))], ["dark", "light"]);
 });
-
-function history(random: () => number): Kept {
-  const count = Math.floor(random() * 90);
-  const balls = Array.from({ length: count }, (): Ball => [Math.floor(random() * 256), Math.floor(random() * 3), 5]);
-  return kept(...new Map(balls.map((ball) => [String(ball), ball])).values());
-}
-
-/** Numbers in 0..1 that are the same each time. */
-function generator(seed: number): () => number {
-  let state = seed;
-  return () => (state = (state * 16807) % 2147483647) / 2147483647;
-}

@@ -6,7 +6,7 @@ import { START, linkTo, routed } from "../../www/core/change/route.ts";
 import { openDialog, toggleHidden, usePreset } from "../../www/core/change/dialog.ts";
 import { nextStep } from "../../www/core/derived/duel.ts";
 import { isAlone, isHidden, shownPanels } from "../../www/core/derived/hidden.ts";
-import { result } from "../../www/core/derived/home.ts";
+import { result } from "../../www/core/derived/sharing.ts";
 import { pageOf, readAddress, writeAddress } from "../../www/effects/address.ts";
 import { SOLVING, fresh, playAt, withTurn } from "./player.ts";
 import type { Link } from "../../www/core/change/route.ts";
@@ -72,7 +72,7 @@ test("in a challenge the person plays alone, and nothing gives the answer away u
   assert.deepEqual(shownPanels(challenged), ["play"]);
   const solved = playAt(challenged, SOLVING);
   assert.equal(isHidden(solved, "guess"), false);
-  assert.deepEqual(result(solved), { solvedAt: 1, modelAt: null, modelBalls: 0 });
+  assert.deepEqual(result(solved), { solvedAt: 1, modelAt: null, modelBalls: 0, isWon: false, marks: "🟢" });
 });
 
 test("a panel that is hidden does nothing, though the link names it", () => {

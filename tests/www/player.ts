@@ -81,7 +81,7 @@ export const fresh: State = start(
   { ...START, task: "00000:000" },
   puzzle(),
   NOTHING_KEPT,
-  { language: "en", theme: "light", stillness: false, day: 20_000 },
+  { language: "en", theme: "light", asked: null, stillness: false, day: 20_000 },
   en,
 );
 

@@ -2,8 +2,9 @@
 
 import { isDark } from "../core/derived/preferences.ts";
 import { attempts } from "../core/derived/duel.ts";
-import { result } from "../core/derived/home.ts";
+import { result } from "../core/derived/sharing.ts";
 import { paint } from "../simulator.ts";
+import { nameOf } from "./files.ts";
 import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.ts";
 import type { Card } from "../core/change/dialog.ts";
 import type { State } from "../core/state.ts";
@@ -30,7 +31,7 @@ export async function cardOf(state: State, patience = PATIENCE): Promise<Card> {
     canvas.toBlob(resolve, "image/png");
   });
   if (!blob) return { kind: "none", why: "missing" };
-  const file = new File([blob], `pathlight-${state.puzzle.key.replace(":", "-")}.png`, { type: "image/png" });
+  const file = new File([blob], `pathlight-${nameOf(state.puzzle)}.png`, { type: "image/png" });
   return { kind: "ready", url: URL.createObjectURL(blob), file };
 }
 

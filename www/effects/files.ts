@@ -5,6 +5,7 @@ import { setNotice } from "../core/change/settings.ts";
 import { attemptsTable, attemptsText, parsedLines } from "../core/derived/files.ts";
 import { MAPS, SCENE_SIZE } from "../pkg/constants.ts";
 import { mapTile, readAttempt } from "../simulator.ts";
+import type { Puzzle } from "../core/puzzle.ts";
 import type { State } from "../core/state.ts";
 import type { Store } from "../core/store.ts";
 import type { AttemptLine } from "../pkg/page/pathlight.js";
@@ -21,7 +22,7 @@ export function saveAttempts({ kept }: State): void {
 }
 
 export function saveTable(state: State): void {
-  download(new File([attemptsTable(state)], `pathlight-${nameOf(state)}.csv`, { type: "text/csv" }));
+  download(new File([attemptsTable(state)], `pathlight-${nameOf(state.puzzle)}.csv`, { type: "text/csv" }));
 }
 
 /** Saves the maps over the scene side by side, with captions. */
@@ -42,7 +43,7 @@ export function saveMaps(store: Store<State>): void {
     context.drawImage(mapTile(puzzle, name, answers.maps![name]!, false), left, 0);
     context.fillText(text.imagine.paper[name], left + SCENE_SIZE / 2, SCENE_SIZE + 20);
   });
-  const file = `pathlight-${nameOf(store.state)}.png`;
+  const file = `pathlight-${nameOf(puzzle)}.png`;
   canvas.toBlob((blob) => (blob ? download(new File([blob], file)) : store.change(setNotice, { kind: "no_picture" })));
 }
 
@@ -76,8 +77,10 @@ export async function attemptsOf(values: readonly unknown[], onProgress: (share:
   return { attempts, unread };
 }
 
-function nameOf({ puzzle }: State): string {
-  return (puzzle.about.id ?? puzzle.about.name ?? "custom").replaceAll(/[^\w-]+/g, "-");
+/** The number or the name of a puzzle, as part of the name of a file. */
+export function nameOf({ about: { id, name } }: Puzzle): string {
+  const words = (id ?? name ?? "").toLowerCase().match(/[\p{L}\p{N}]+/gu);
+  return words?.join("-") ?? "puzzle";
 }
 
 export function download(file: File): void {

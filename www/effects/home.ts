@@ -22,10 +22,10 @@ export function homeEffects(url: string): Effect<State>[] {
 
   const show: Effect<State> = {
     needs: (state) =>
-      isHome(state) && state.recorded?.scene.task === state.puzzle.source ? [state.puzzle, isSettled(state)] : null,
+      isHome(state) && state.recorded?.scene.task === state.puzzle.source ? [state.puzzle, isDecided(state)] : null,
     async run(store, signal) {
       const { puzzle, recorded } = store.state;
-      if (!isSettled(store.state))
+      if (!isDecided(store.state))
         await new Promise((resolve) => {
           setTimeout(resolve, PATIENCE);
           signal.addEventListener("abort", resolve);
@@ -37,7 +37,8 @@ export function homeEffects(url: string): Effect<State>[] {
   return [recording, show];
 }
 
-function isSettled({ model }: State): boolean {
+/** Whether it is known if there is a model. */
+function isDecided({ model }: State): boolean {
   return model.kind === "ready" || model.kind === "failed";
 }
 

@@ -2,6 +2,7 @@
 
 import { NOTHING_KEPT, mergeKept, merged } from "../core/change/kept.ts";
 import { setNotice } from "../core/change/settings.ts";
+import { SETUPS } from "../model/shared.ts";
 import { languageOf } from "../text/languages.ts";
 import { ATTEMPT_LIMIT } from "../pkg/constants.ts";
 import type { Kept, KeptPuzzle } from "../core/change/kept.ts";
@@ -33,7 +34,7 @@ export function keptFrom(document: any): Kept {
     guess: guess !== false,
     alone: alone === true,
     live: live !== false,
-    model: model === "cross" ? "cross" : "within",
+    model: SETUPS.find((setup) => setup === model) ?? SETUPS[0]!,
     language: languageOf(String(language)),
     theme: theme === "light" || theme === "dark" ? theme : null,
   };
@@ -45,7 +46,7 @@ function isKeptPuzzle(entry: [key: string, puzzle: any]): entry is [string, Kept
   return Number.isFinite(puzzle?.changed) && (puzzle.scene === null || Array.isArray(puzzle.scene?.bodies));
 }
 
-export function linesFrom(lines: any): AttemptLine[] {
+function linesFrom(lines: any): AttemptLine[] {
   const isLine = ({ ball, simulator, status, steps, digest }: any) =>
     Array.isArray(ball) &&
     ball.length === 3 &&
@@ -87,8 +88,9 @@ function askToStay(): void {
   if (!isFirefox) globalThis.navigator?.storage?.persist?.().catch(() => {});
 }
 
-/** Follows changes that other tabs store. */
+/** Follows changes that other tabs store, also those that a page in the back/forward cache has missed. */
 export function listenToOtherTabs(store: Store<State>, signal: AbortSignal): void {
-  const onStorage = ({ key }: StorageEvent) => key === KEY && store.change(mergeKept, readKept());
-  addEventListener("storage", onStorage, { signal });
+  const merge = () => store.change(mergeKept, readKept());
+  addEventListener("storage", ({ key }) => key === KEY && merge(), { signal });
+  addEventListener("pageshow", ({ persisted }) => persisted && merge(), { signal });
 }

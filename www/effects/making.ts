@@ -5,7 +5,9 @@ import { remade } from "../core/change/make.ts";
 import { namedProblem } from "../core/derived/bodies.ts";
 import { textOfScene } from "../core/scene-text.ts";
 import { openPuzzle, problemsOf } from "../simulator.ts";
+import { download, nameOf } from "./files.ts";
 import type { BadScene } from "../core/change/settings.ts";
+import type { Puzzle } from "../core/puzzle.ts";
 import type { State } from "../core/state.ts";
 import type { Effect } from "../core/store.ts";
 import type { CustomScene } from "../pkg/page/pathlight.js";
@@ -25,10 +27,9 @@ export const makingEffect: Effect<State> = {
 /** Maximum size of a file, bytes: more would freeze the page. */
 const MOST = 8e6;
 
-export function savePuzzle(scene: CustomScene, name: string): void {
-  const url = URL.createObjectURL(new Blob([JSON.stringify(scene, null, 1)], { type: "application/json" }));
-  Object.assign(document.createElement("a"), { href: url, download: `${fileName(name)}.json` }).click();
-  setTimeout(() => URL.revokeObjectURL(url));
+export function savePuzzle(puzzle: Puzzle): void {
+  const type = "application/json";
+  download(new File([JSON.stringify(puzzle.custom, null, 1)], `pathlight-${nameOf(puzzle)}.json`, { type }));
 }
 
 /** Reads the puzzles of a file; returns the first problem if one is not playable. */
@@ -47,13 +48,4 @@ export async function readPuzzles(file: File): Promise<readonly CustomScene[] | 
     if (problem) return { problem: namedProblem(scene, problem) };
   }
   return scenes.length ? scenes : { problem: null };
-}
-
-function fileName(name: string): string {
-  return (
-    name
-      .toLowerCase()
-      .replaceAll(/[^\p{L}\p{N}]+/gu, "-")
-      .replaceAll(/^-|-$/g, "") || "puzzle"
-  );
 }

@@ -21,11 +21,11 @@ const FUTURES = 40;
 export function modelEffects(files: ModelFiles): Effect<State>[] {
   const shared = ({ kept }: State) => sharedModel(files, kept.model);
   const clientOf = (store: Store<State>) => shared(store.state).client;
-  // Searches need a worker, but no weights.
+  // Searches need a worker, but no weights. Loading again after a failure starts another worker.
   const ifAlive = ({ model, kept }: State, ...needs: unknown[]) =>
     model.kind === "off" || (model.kind === "failed" && model.failure.code === "crashed")
       ? null
-      : [kept.model, ...needs];
+      : [kept.model, model.kind === "failed", ...needs];
   const ifReady = ({ model, kept }: State, ...needs: unknown[]) =>
     model.kind === "ready" ? [kept.model, ...needs] : null;
 
@@ -75,7 +75,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
     run: (store) =>
       ask(store, async ({ source }) => {
         const of = questioned(store.state)!;
-        const imagined = await clientOf(store).call("imagineBall", [source, of], new AbortController().signal);
+        const imagined = await clientOf(store).call("imagineBall", [source, of], null);
         return { guess: imagined && { of, imagined } };
       }),
   };
@@ -89,7 +89,7 @@ export function modelEffects(files: ModelFiles): Effect<State>[] {
     run: (store) =>
       ask(store, ({ source }) => {
         const asked = isSettled(store.state) ? source : making(store.state).scene;
-        return clientOf(store).call("imagine", [asked], new AbortController().signal);
+        return clientOf(store).call("imagine", [asked], null);
       }),
   };
 

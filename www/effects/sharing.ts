@@ -2,9 +2,10 @@
 
 import { setLesson, setShare } from "../core/change/dialog.ts";
 import { START, panelsOf } from "../core/change/route.ts";
-import { result, taskOfDay } from "../core/derived/home.ts";
+import { taskOfDay } from "../core/derived/home.ts";
 import { isDark } from "../core/derived/preferences.ts";
 import { taskOf } from "../core/derived/next.ts";
+import { result } from "../core/derived/sharing.ts";
 import { benchmark } from "../simulator.ts";
 import { writeAddress } from "./address.ts";
 import { cardOf } from "./card.ts";
@@ -19,8 +20,10 @@ export const cardEffect: Effect<State> = {
       : null,
   async run(store, signal) {
     const card = await cardOf(store.state);
-    if (!signal.aborted) store.change(setShare, { card });
-    signal.addEventListener("abort", () => card.kind === "ready" && URL.revokeObjectURL(card.url));
+    const forget = () => card.kind === "ready" && URL.revokeObjectURL(card.url);
+    if (signal.aborted) return void forget();
+    signal.addEventListener("abort", forget);
+    store.change(setShare, { card });
   },
 };
 
@@ -35,7 +38,7 @@ export function shareText(state: State): string {
   const { text, puzzle, device } = state;
   const found = result(state);
   const isDaily = puzzle.about.id === taskOfDay(benchmark(), device.day);
-  return text.share.message(text.puzzle.name(puzzle.about), found, isDaily ? device.day : null);
+  return text.share.message(text.puzzle.name(puzzle.about), found, isDaily);
 }
 
 /** The tasks of a lesson as typed by a person, and the words that are not tasks. */
@@ -71,17 +74,20 @@ export const qrEffect: Effect<State> = {
   needs: (state) => (state.dialog === "lesson" ? [lessonAddress(state)] : null),
   async run(store, signal) {
     const address = lessonAddress(store.state);
-    // Loaded separately, because few people need it.
-    const { generate } = await import("lean-qr");
-    let code: string | null = null;
-    try {
-      code = address && generate(address).toDataURL({ on: [0, 0, 0], off: [255, 255, 255], scale: 4 });
-    } catch {
-      // Too long for a code; the address works without it.
-    }
-    if (!signal.aborted) store.change(setLesson, { code });
+    // Loaded separately, because few people need it. If it does not load, the address works without a code.
+    const qr = await import("lean-qr").catch(() => null);
+    if (qr && address && !signal.aborted) store.change(setLesson, { code: codeOf(address, qr) });
   },
 };
+
+function codeOf(address: string, { generate }: typeof import("lean-qr")): string | null {
+  try {
+    return generate(address).toDataURL({ on: [0, 0, 0], off: [255, 255, 255], scale: 4 });
+  } catch {
+    // Too long for a code.
+    return null;
+  }
+}
 
 export async function copy(store: Store<State>, text: string): Promise<void> {
   try {

@@ -286,7 +286,8 @@ function save(): void {
   link.href = URL.createObjectURL(new Blob([csv], { type: "text/csv" }));
   link.download = "pathlight-results.csv";
   link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href));
+  // Wait until the browser has fetched it.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
 void begin();

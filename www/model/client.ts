@@ -70,10 +70,10 @@ export class ModelClient {
   call<Name extends keyof Calls>(
     call: Name,
     args: Parameters<Calls[Name]>,
-    signal: AbortSignal,
+    signal: AbortSignal | null,
     onUpdate: (update: NonNullable<Answer<Name>["update"]>) => void = () => {},
   ): Promise<Answer<Name>["value"]> {
-    if (signal.aborted) return Promise.reject(signal.reason);
+    if (signal?.aborted) return Promise.reject(signal.reason);
     const worker = this.#worker;
     if (!worker) return Promise.reject(new WorkerError(this.#ended));
     const id = ++this.#lastId;
@@ -83,12 +83,12 @@ export class ModelClient {
       onAbort = () => {
         if (!this.#pending.delete(id)) return;
         worker.postMessage({ cancel: id });
-        reject(signal.reason);
+        reject(signal!.reason);
       };
     });
-    signal.addEventListener("abort", onAbort);
+    signal?.addEventListener("abort", onAbort);
     worker.postMessage({ id, call, args });
-    return answer.finally(() => signal.removeEventListener("abort", onAbort));
+    return answer.finally(() => signal?.removeEventListener("abort", onAbort));
   }
 
   #onMessage({ id, value, update, failure }: { id: number; value?: any; update?: any; failure?: Failure }): void {

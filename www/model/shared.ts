@@ -46,11 +46,11 @@ export class SharedModel {
     if (this.#model.kind === "loading" || this.#model.kind === "ready") return;
     this.#tell({ kind: "loading", arrived: 0 });
     this.client.start();
-    const { name, file, size, sha256 } = infoOf(this.#setup);
+    const { name, file, size, sha256 } = models.models[SETUPS.indexOf(this.#setup)]!;
     const weights = { url: this.#files.weights[file]!, size, sha256 };
     const onUpdate = (arrived: number) => this.#tell({ kind: "loading", arrived });
     try {
-      const card = await this.client.call("load", [this.#files.wasm, weights], new AbortController().signal, onUpdate);
+      const card = await this.client.call("load", [this.#files.wasm, weights], null, onUpdate);
       this.#tell({ kind: "ready", name, card });
     } catch (error) {
       // A crash has already been reported, and a worker that was ended has no listeners.
@@ -80,10 +80,11 @@ function startWorker(url: string): Worker {
 
 const shared = new Map<string, SharedModel>();
 
-/** A model is named after the setup and the fold that it was trained on: "within-0". */
-export function infoOf(setup: Setup) {
-  return models.models.find(({ name }) => name.startsWith(setup))!;
-}
+/**
+ * The setups that a model is here for, the default first: the page has both, the packages one. A model is named after
+ * its setup and the fold that it was trained on: "within-0".
+ */
+export const SETUPS = models.models.map(({ name }) => name.split("-")[0] as Setup);
 
 export function sharedModel(files: ModelFiles, setup: Setup): SharedModel {
   const key = JSON.stringify([setup, files]);

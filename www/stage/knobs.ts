@@ -6,7 +6,7 @@ import type { Point } from "../core/change/placement.ts";
 import type { CustomBody } from "../pkg/page/pathlight.js";
 
 /** Radius of a knob, CSS px. */
-const KNOB = 7;
+export const KNOB = 7;
 /** Distance of a ring from its body, px. */
 const GAP = 3;
 

@@ -1,9 +1,11 @@
 // Turns pointer, wheel and keys into changes of the state. Makes no decisions.
 
 import { goBy, takeNextStep } from "../opening.ts";
+import { toggleIntro } from "../core/change/home.ts";
 import { openPanel, present } from "../core/change/route.ts";
 import { again, stepBy, togglePlaying } from "../core/change/run.ts";
 import { go } from "../core/change/walkthrough.ts";
+import { introShown } from "../core/derived/home.ts";
 import { shownPanel, shownPanels } from "../core/derived/hidden.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
 import { keyAction } from "./keys.ts";
@@ -34,7 +36,7 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
     canvas.setPointerCapture(event.pointerId);
     const { knob, ball } = REACH[event.pointerType] ?? REACH.mouse!;
     const reach = { knob: knob / stage.scale, ball: ball / stage.scale };
-    stage.loupe.classList.toggle("wanted", event.pointerType === "touch");
+    stage.isTouched = event.pointerType === "touch";
     store.change(tool().press, event.pointerId, pointOf(event), reach);
   });
   on(canvas, "pointermove", (event: PointerEvent) => store.change(tool().drag, event.pointerId, pointOf(event)));
@@ -74,6 +76,12 @@ export function listen(stage: Stage, around: Document | ShadowRoot, store: Store
   });
 
   function act(action: KeyAction, isRepeated: boolean): boolean {
+    // What is behind the show must not change unseen.
+    if (introShown(store.state)) {
+      const isToggle = action.kind === "toggle";
+      if (isToggle && !isRepeated) store.change(toggleIntro);
+      return isToggle;
+    }
     switch (action.kind) {
       case "undo":
         store.change(tool().undo);

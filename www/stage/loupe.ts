@@ -8,12 +8,10 @@ const MAGNIFIED = 2;
 const SIDE = 104;
 const AWAY = 96;
 
-/** Shows a point of the scene; null hides it. The class `wanted` tells whether a finger drags. */
+/** Shows a point of the scene; null hides it. */
 export function magnify(loupe: HTMLCanvasElement, scene: HTMLCanvasElement, point: Point | null): void {
-  loupe.className = `loupe${loupe.classList.contains("wanted") ? " wanted" : ""}`;
-  loupe.hidden = point === null || !loupe.classList.contains("wanted");
-  loupe.ariaHidden = "true";
-  if (!point || loupe.hidden) return;
+  loupe.hidden = point === null;
+  if (!point) return;
   const width = scene.clientWidth;
   const [x, y] = [(point[0] / SCENE_SIZE) * width, (1 - point[1] / SCENE_SIZE) * width];
   const half = SIDE / 2;

@@ -9,14 +9,12 @@ import { ended, lastStep, rollouts } from "../core/derived/run.ts";
 import { isSettled, making, selectedBody } from "../core/change/make.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
 import { mapPicture, outcomesPicture, paint, paintMaking, problemsOf } from "../simulator.ts";
-import { paintKnobs } from "./knobs.ts";
+import { KNOB, paintKnobs } from "./knobs.ts";
 import { magnify } from "./loupe.ts";
 import { heldPoint } from "./tools.ts";
 import type { View } from "../pkg/page/pathlight.js";
 import type { State } from "../core/state.ts";
 
-/** Radius of the knob, CSS px. */
-const KNOB = 7;
 const MAP_OPACITY = 0.8;
 /** Maps shown while the scene is being changed, unless others are selected. */
 const LIVE = ["base"] as const;
@@ -25,6 +23,8 @@ export class Stage {
   readonly canvas = document.createElement("canvas");
   /** The magnifier for what a dragging finger covers. */
   readonly loupe = document.createElement("canvas");
+  /** Whether a finger drags. */
+  isTouched = false;
   /** CSS px per px of the scene. */
   scale = 1;
   #context = this.canvas.getContext("2d")!;
@@ -36,6 +36,8 @@ export class Stage {
       this.#painted = [];
       this.paint(state());
     };
+    this.loupe.className = "loupe";
+    this.loupe.ariaHidden = "true";
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
     // The painted content is lost then.
@@ -60,7 +62,7 @@ export class Stage {
     this.#painted = seen;
     if (isMade(state)) this.#paintMaking(state);
     else paint(this.#context, puzzle, run?.balls ?? [], viewOf(state, KNOB / this.scale), pictures(state));
-    magnify(this.loupe, this.canvas, heldPoint(state));
+    magnify(this.loupe, this.canvas, this.isTouched ? heldPoint(state) : null);
   }
 
   #paintMaking(state: State): void {

@@ -1,7 +1,7 @@
 // Computes by how many px the wheel changes the radius. Small movements add up, so that a trackpad is as slow as a
 // wheel.
 
-export type WheelFacts = Pick<WheelEvent, "deltaY" | "deltaMode" | "ctrlKey">;
+export type WheelFacts = Pick<WheelEvent, "deltaY" | "deltaMode">;
 
 /** One notch of a wheel in pixels, lines and pages, by `deltaMode`. */
 const NOTCH = [100, 3, 1];

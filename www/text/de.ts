@@ -6,13 +6,13 @@ import { widthsIn } from "./widths.ts";
 import type { Failure } from "../core/change/model.ts";
 import type { Point } from "../core/change/placement.ts";
 import type { Named, Size } from "../core/derived/bodies.ts";
-import type { Outcome } from "../core/derived/duel.ts";
+import type { LuckKind, Outcome } from "../core/derived/duel.ts";
 import type { Difficulty } from "../core/derived/home.ts";
+import type { Result } from "../core/derived/sharing.ts";
 import type { Body } from "../pkg/page/pathlight.js";
-import type { Found } from "./en.ts";
 import type { Language, Text } from "./languages.ts";
 
-const { counted, number, percent, seconds } = formatsOf("de");
+const { chance, counted, number, percent, seconds } = formatsOf("de", "unter 1\u00a0%");
 
 export const language: Language = "de";
 
@@ -216,6 +216,12 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
   after: () => "Verfehlt, aber gelöst hast du es schon.",
 };
 
+const LUCK: Record<LuckKind, string> = {
+  plan: "Ein Plan",
+  some: "Ein Plan mit etwas Glück",
+  mostly: "Vor allem Glück",
+};
+
 export const play: Text["play"] = {
   step: {
     start: "Spiel gegen sie",
@@ -237,21 +243,17 @@ export const play: Text["play"] = {
   full: `Du hast alle ${ATTEMPT_LIMIT} Kugeln dieses Rätsels verbraucht.`,
 
   verdict: ({ outcome, round, modelAt }) => OUTCOMES[outcome](round, modelAt),
-  miss: ({ facts: { ending, nearest }, radius, changedNothing }) =>
+  miss: ({ facts: { ending, nearest, line }, changedNothing }) =>
     changedNothing
       ? "Grün lief genau so, wie es ohne deine Kugel läuft."
       : ending.longest_touch > 0
         ? `Grün hat das Ziel ${seconds(secondsOf(ending.longest_touch))} lang berührt, ${GOAL_SECONDS} wären nötig.`
-        : `Grün hat das Ziel um ${balls(nearest.gap, radius)} verfehlt.`,
-  guessed: (chance, off, radius) =>
-    `Das Modell gab deiner Kugel eine Chance von ${chance < 0.01 ? "unter 1 %" : percent(chance)}; ` +
+        : `Grün hat das Ziel um ${balls(nearest.gap, line.ball![2])} verfehlt.`,
+  guessed: (given, off, radius) =>
+    `Das Modell gab deiner Kugel eine Chance von ${chance(given)}; ` +
     `seine Vermutung lag um ${balls(off, radius)} daneben.`,
-  luck: (solved, valid) =>
-    solved > 0.6 * valid
-      ? `Ein Plan: ${solved} der ${valid} Kugeln neben deiner lösen es auch.`
-      : solved > 0.25 * valid
-        ? `Ein Plan mit etwas Glück: ${solved} der ${valid} Kugeln neben deiner lösen es auch.`
-        : `Vor allem Glück: ${solved} der ${valid} Kugeln neben deiner lösen es auch.`,
+  luck: (kind, solved, valid) =>
+    `${LUCK[kind]}: ${solved === 1 ? "eine" : solved} der ${valid} Kugeln neben deiner ${solved === 1 ? "löst" : "lösen"} es auch.`,
   showModel: "Kugel des Modells zeigen",
 
   playback: "Wiedergabe",
@@ -285,10 +287,10 @@ export const check: Text["check"] = {
       ? `${percent(progress)} probiert.`
       : working === 0
         ? "Keine Kugel dieser Größe schafft es."
-        : `Eine Kugel dieser Größe schafft es von ${working < 0.01 ? "weniger als 1 %" : percent(working)} aller Plätze aus.`) +
+        : `Eine Kugel dieser Größe schafft es von ${chance(working)} aller Plätze aus.`) +
     `${working === 0 && progress === 1 ? "" : " Gelb: löst es."} Gestreift: kein Platz für die Kugel.`,
-  compare: "Mit der Vermutung des Modells vergleichen",
-  agrees: (share) => `${percent(share)} seiner Vermutung liegen dort, wo eine Kugel es schafft.`,
+  compare: "Mit der Karte des Modells vergleichen",
+  agrees: (share) => `${percent(share)} seiner Karte liegen dort, wo eine Kugel es schafft.`,
   seek: "Eine Lösung zeigen",
   stop: "Nicht weitersuchen",
   shown: "Das war die Lösung: Sie zählt nicht. Eine andere Kugel ist deine.",
@@ -309,9 +311,15 @@ export const check: Text["check"] = {
 // Which model plays, and whether it was trained on the puzzle.
 export const model: Text["model"] = {
   choose: "Modell",
-  names: { within: "Modell A: kennt alle 25 Arten von Rätseln", cross: "Modell B: kennt 20 der 25 Arten" },
+  names: {
+    within: "Modell A: mit allen 25 Arten von Rätseln trainiert",
+    cross: "Modell B: mit zufälligen Szenen trainiert",
+  },
   short: { within: "Modell A", cross: "Modell B" },
-  practised: "Achtung: Genau dieses Rätsel hat es geübt.",
+  practised: {
+    within: "Achtung: Genau dieses Rätsel hat es geübt.",
+    cross: "Die Netze seiner Karten haben genau dieses Rätsel geübt; das Netz, das die Kugel wählt, nicht.",
+  },
   unseen: {
     within: "Es kennt diese Art, aber nicht dieses Rätsel.",
     cross: "Diese Art Rätsel hat es nie gesehen.",
@@ -321,7 +329,6 @@ export const model: Text["model"] = {
 
 // What the model imagines: the walkthrough, the maps, and how they are made.
 const place = ([x, y]: Point) => `x ${Math.round(x)}, y ${Math.round(y)}`;
-const chanceOf = (chance: number) => (chance < 0.01 ? "unter 1 %" : percent(chance));
 
 export const imagine: Text["imagine"] = {
   walkthrough: "Wie das Modell auf seine Kugel kommt",
@@ -377,8 +384,8 @@ export const imagine: Text["imagine"] = {
   considered: (count, likely) =>
     `Es hat ${counted(count, "Kugel", "Kugeln")} erwogen und gibt ${likely === count ? "allen" : likely === 1 ? "einer" : likely || "keiner"} davon mehr als 50 %.`,
   waiting: "Das Modell überlegt …",
-  ended: (solved, chance) =>
-    `Es gab seiner Kugel ${chanceOf(chance)}, und ${solved ? "sie schafft es." : "sie schafft es nicht."}`,
+  ended: (solved, given) =>
+    `Es gab seiner Kugel ${chance(given)}, und ${solved ? "sie schafft es." : "sie schafft es nicht."}`,
   off: (distance, radius) =>
     `Die Bahn, die es sich für Grün vorgestellt hat, lag im Schnitt um ${balls(distance, radius)} daneben.`,
 };
@@ -387,7 +394,7 @@ export const imagine: Text["imagine"] = {
 export const predict: Text["predict"] = {
   intro:
     "Welchen Weg nimmt Grün? Zeichne seine Bahn und lass es dann laufen: Warst du näher dran oder das Modell? Soll eine rote Kugel mitspielen, setz sie vorher.",
-  keys: "Mit Tasten: In der Szene zeichnen Pfeile von Grün aus weiter, mit der Umschalttaste in größeren Schritten.",
+  keys: "Mit Tasten: In der Szene zeichnen Pfeile von Grün aus weiter, mit Umschalt in größeren Schritten.",
   draw: "Fang bei Grün an und zeichne seinen Weg.",
   drawn: "Fertig? Dann lass es laufen.",
   wipe: "Linie wegwischen",
@@ -466,7 +473,7 @@ export const make: Text["make"] = {
       case "place":
         return `Kein gültiger Ort für ${theBody(body!, "accusative")}.`;
       case "length":
-        return `${SIZES[fault.key]} nicht erlaubt, ${theBody(body!)}: möglich sind ${px(fault.least)} bis ${px(fault.most)}.`;
+        return `${SIZES[fault.key]}: ${px(fault.least)} bis ${px(fault.most)} px sind erlaubt (${theBody(body!)}).`;
       case "sticks_out":
       case "sticks_out_of_corner":
         return `Ragt ${px(fault.by)} px hinaus: Schieb es hinein oder mach es kleiner.`;
@@ -483,7 +490,7 @@ export const data: Text["data"] = {
   ball: "Kugel",
   axes: { x: "x", y: "y", r: "Radius" },
   run: "Vorgestellt und wirklich",
-  noRun: "Sobald eine Kugel gelaufen ist, steht hier in Zahlen, wie gut die Vorstellung war.",
+  noRun: "Sobald eine Kugel gefallen ist, steht hier in Zahlen, wie gut die Vorstellung war.",
   green: "Grün",
   red: "Rot",
   off: "Grün daneben um",
@@ -498,7 +505,7 @@ export const data: Text["data"] = {
   attempts: "Deine Versuche",
   kept: (count) =>
     `${counted(count, "Versuch", "Versuche")}, nur in diesem Browser. Safari löscht sie nach sieben Tagen ohne Besuch, andere Browser, wenn die Platte voll ist; eine Datei bleibt.`,
-  save: "Speichern",
+  save: "Als Datei speichern",
   open: "Datei öffnen",
   table: "Dieses Rätsel als CSV",
 };
@@ -526,11 +533,11 @@ export const home: Text["home"] = {
   make: "Bau dein eigenes Rätsel",
   makeHint: "Verschieb, was du willst, spiel es und schick es Freunden",
   facts: (puzzle, difficulty) => `${puzzle}, ${LEVELS[difficulty]}`,
-  howHard: (difficulty, rate) =>
+  howHard: (difficulty, { balls, isRarer }) =>
     `${LEVELS[difficulty].charAt(0).toUpperCase()}${LEVELS[difficulty].slice(1)}: ` +
-    (rate > 0.002 ? `1 von ${Math.round(1 / rate)} Kugeln löst es.` : "Weniger als 1 von 500 Kugeln löst es."),
+    (isRarer ? `Weniger als 1 von ${balls} Kugeln löst es.` : `1 von ${balls} Kugeln löst es.`),
 
-  kinds: (count) => `${count} Arten, jede mit einem Rätsel, das für das Modell neu ist`,
+  kinds: (count) => `${count} Arten von Rätseln`,
   number: "Oder nach Nummer:",
   standing: (next, of, played) => {
     const solved = played.filter((one) => one.solved).length;
@@ -544,24 +551,16 @@ export const home: Text["home"] = {
   progress: "Dein Fortschritt",
   soFar: ({ tried, solved, attempts }) =>
     `Bisher hast du ${counted(tried, "Rätsel", "Rätsel")} probiert und ${number(solved)} gelöst, mit ${counted(attempts, "Kugel", "Kugeln")}`,
-  keeps:
-    "Alles bleibt auf diesem Gerät, in diesem Browser. Safari vergisst es nach sieben Tagen ohne Besuch; eine Datei behält es.",
-  save: "Als Datei speichern",
-  open: "Datei öffnen",
-  forget: "Alles vergessen",
+  forget: "Alle Versuche vergessen",
   keep: "Behalten",
   forgetHint:
     "Dieser Browser kennt dann keine deiner Kugeln und Lösungen mehr. Das lässt sich nicht rückgängig machen.",
 };
 
 // Sharing a puzzle, and links for a lesson.
-const MOST_MARKS = 20;
-
 const first = (at: number) => (at === 1 ? "mit der ersten Kugel" : `mit Kugel ${at}`);
-const isWon = ({ solvedAt, modelAt, modelBalls }: Found) =>
-  solvedAt !== null && modelBalls >= solvedAt && (modelAt === null || modelAt > solvedAt);
 
-const rival = ({ modelAt, modelBalls }: Found) =>
+const rival = ({ modelAt, modelBalls }: Result) =>
   modelAt !== null
     ? `Das Modell brauchte ${counted(modelAt, "Kugel", "Kugeln")}.`
     : modelBalls > 0
@@ -569,17 +568,13 @@ const rival = ({ modelAt, modelBalls }: Found) =>
       : "";
 
 export const share: Text["share"] = {
-  titles: { share: "Teilen", lesson: "Link für den Unterricht", about: "Über Pathlight", forget: "Alles vergessen?" },
-
   headline: (solvedAt) => (solvedAt === null ? "Kannst du das lösen?" : `Gelöst ${first(solvedAt)}`),
   model: rival,
-  message: (puzzle, found, day) => {
-    const { solvedAt } = found;
+  message: (puzzle, found, isDaily) => {
+    const { solvedAt, isWon, marks } = found;
     if (solvedAt === null) return `„${puzzle}“ in Pathlight: Kannst du das lösen?`;
-    const misses = solvedAt - 1;
-    const marks = `${misses > MOST_MARKS ? `${misses} × 🔴 ` : "🔴".repeat(misses)}🟢`;
-    const daily = day === null ? "" : `Pathlights Rätsel des Tages. ${marks} `;
-    const result = isWon(found)
+    const daily = isDaily ? `Pathlights Rätsel des Tages. ${marks} ` : "";
+    const result = isWon
       ? `Ich habe das Modell bei „${puzzle}“ ${first(solvedAt)} geschlagen.`
       : `Ich habe „${puzzle}“ ${first(solvedAt)} gelöst.`;
     const ask = solvedAt === 1 ? "Schaffst du das auch?" : "Schaffst du es schneller?";
@@ -633,16 +628,16 @@ export const share: Text["share"] = {
 // The dialog "About Pathlight".
 export const about: Text["about"] = {
   idea: [
-    "Pathlight ist ein Spiel gegen eine kleine KI, die plant, indem sie sich etwas vorstellt. Bevor eine Kugel fällt, malen vier kleine neuronale Netze, wohin das grüne Objekt von allein gelangt, wohin es soll, was Rot dafür tun muss und wo Rot beginnen sollte. Ein fünftes stellt sich vor, was irgendeine Kugel bewirkt.",
+    "Pathlight ist ein Spiel gegen eine kleine KI, die plant, indem sie sich etwas vorstellt. Bevor eine Kugel fällt, malen vier kleine neuronale Netze, wohin das grüne Objekt von allein gelangt, wohin es soll, was Rot dafür tun muss und wo Rot beginnen sollte. Ein fünftes stellt sich vor, was jede beliebige Kugel bewirken würde.",
     "Nichts, was du vom Modell siehst, ist gestellt: Es denkt in deinem Browser, während du spielst. Dann zeigt der Simulator, was wirklich passiert, auf das Bit genau wie in dem Benchmark, aus dem die Rätsel stammen. Was du spielst, bleibt auf diesem Gerät.",
   ],
-  paper: "Die Arbeit dazu: Solving Physics Puzzles by Reasoning about Paths (Harter und andere, 2020)",
+  paper: "Der Fachartikel: Solving Physics Puzzles by Reasoning about Paths (Harter und andere, 2020)",
   phyre: "Die Rätsel: PHYRE, ein Benchmark für physikalisches Denken (Bakhtin und andere, 2019)",
   keys: "Tasten",
   keyList: [
-    ["← ↑ → ↓", "die Kugel bewegen; mit der Umschalttaste weiter"],
+    ["← ↑ → ↓", "die Kugel bewegen; mit Umschalt weiter"],
     ["+ -", "ihre Größe ändern"],
-    ["Eingabe", "fallen lassen, dann weiter"],
+    ["Enter", "fallen lassen, dann weiter"],
     ["Leertaste", "anhalten oder abspielen"],
     [", .", "einen Schritt zurück oder vor"],
     ["R", "neuer Versuch"],
@@ -659,22 +654,27 @@ export const about: Text["about"] = {
 // The page around the scene: header, menu, and messages about errors.
 const FAILURES: Record<Failure["code"], string> = {
   offline: "Keine Verbindung. Es geht weiter, sobald du wieder online bist.",
-  unreachable:
-    "Der Server antwortet nicht. Versuch es später noch einmal; die Content-Security-Policy einer Seite muss ihn erlauben (connect-src).",
+  unreachable: "Der Server antwortet nicht. Versuch es später noch einmal.",
   missing: "Eine Datei fehlt auf diesem Server. Wer ihn betreibt, muss alle Dateien von Pathlight dort ablegen.",
   page: "Statt einer Datei kam eine Webseite. Musst du dich in diesem Netz erst anmelden? Sonst antwortet der Server falsch.",
-  damaged: "Eine Datei kam beschädigt an oder gehört zu einer anderen Version. Lade die Seite neu.",
+  damaged: "Eine Datei kam beschädigt an oder gehört zu einer anderen Version. Lad die Seite neu.",
   forbidden:
     "Diese Seite verbietet WebAssembly: Ihre Content-Security-Policy braucht 'wasm-unsafe-eval' in script-src.",
   old: "Dieser Browser ist zu alt: Er muss WebAssembly mit SIMD können. Aktualisier ihn oder nimm einen anderen.",
   worker:
     "Diese Seite verbietet Worker: Ihre Content-Security-Policy braucht worker-src, ein Frame mit sandbox allow-same-origin.",
-  crashed: "Es ist unerwartet stehen geblieben. Lade es noch einmal.",
-  broken: "Es konnte nicht gestartet werden. Lade die Seite neu.",
+  crashed: "Es ist unerwartet stehen geblieben. Lad es noch einmal.",
+  broken: "Es konnte nicht gestartet werden. Lad die Seite neu.",
 };
 
 export const page: Text["page"] = {
   brand: "Pathlight",
+  titles: {
+    share: "Teilen",
+    lesson: "Link für den Unterricht",
+    about: "Über Pathlight",
+    forget: "Alle Versuche vergessen?",
+  },
   share: "Teilen",
   present: "Präsentation",
   leave: "Präsentation verlassen",
@@ -706,7 +706,7 @@ export const page: Text["page"] = {
       case "bad_file":
         return `Diese Datei wurde nicht geöffnet: ${notice.problem ? make.problem(notice.problem) : "Darin ist kein Rätsel von Pathlight."}`;
       case "storage_full":
-        return "In diesem Browser ist kein Platz mehr: Was du jetzt spielst, ist vergessen, wenn du gehst.";
+        return "Dieser Browser behält hier nichts: Was du jetzt spielst, ist vergessen, wenn du gehst.";
       case "no_text":
         return "Diese Sprache konnte nicht geladen werden. Lad die Seite neu.";
       case "no_picture":

@@ -9,12 +9,13 @@ import type { Notice } from "../core/change/settings.ts";
 import type { Dialog, Preset } from "../core/change/dialog.ts";
 import type { Step } from "../core/change/walkthrough.ts";
 import type { Named, NamedProblem, Role, Shape, Size } from "../core/derived/bodies.ts";
-import type { Outcome, Verdict } from "../core/derived/duel.ts";
-import type { Difficulty, Progress, Standing } from "../core/derived/home.ts";
+import type { LuckKind, Outcome, Verdict } from "../core/derived/duel.ts";
+import type { Difficulty, Progress, Rarity, Standing } from "../core/derived/home.ts";
+import type { Result } from "../core/derived/sharing.ts";
 import type { About, Body, FoundSolutions, InvalidBall, MapName, Setup } from "../pkg/page/pathlight.js";
 import type { Language } from "./languages.ts";
 
-const { counted, number, percent, seconds } = formatsOf("en-GB");
+const { chance, counted, number, percent, seconds } = formatsOf("en-GB", "under 1%");
 
 export const language = "en" as Language;
 
@@ -75,6 +76,8 @@ const OUTCOMES: Record<Outcome, (round: number, modelAt: number | null) => strin
   after: () => "A miss, but you have solved it already.",
 };
 
+const LUCK: Record<LuckKind, string> = { plan: "A plan", some: "A plan with some luck", mostly: "Mostly luck" };
+
 export const play = {
   step: {
     start: "Play against it",
@@ -98,20 +101,16 @@ export const play = {
 
   verdict: ({ outcome, round, modelAt }: Verdict) => OUTCOMES[outcome](round, modelAt),
   /** How a miss ended. */
-  miss: ({ facts: { ending, nearest }, radius, changedNothing }: Verdict) =>
+  miss: ({ facts: { ending, nearest, line }, changedNothing }: Verdict) =>
     changedNothing
       ? "Green went as it goes without your ball."
       : ending.longest_touch > 0
         ? `Green touched the goal for ${seconds(secondsOf(ending.longest_touch))} of ${GOAL_SECONDS}.`
-        : `Green missed the goal by ${balls(nearest.gap, radius)}.`,
-  guessed: (chance: number, off: number, radius: number) =>
-    `The model gave your ball a chance of ${chance < 0.01 ? "under 1%" : percent(chance)}; the path it guessed was ${balls(off, radius)} off.`,
-  luck: (solved: number, valid: number) =>
-    solved > 0.6 * valid
-      ? `A plan: ${solved} of the ${valid} balls beside yours solve it too.`
-      : solved > 0.25 * valid
-        ? `A plan with some luck: ${solved} of the ${valid} balls beside yours solve it too.`
-        : `Mostly luck: ${solved} of the ${valid} balls beside yours solve it too.`,
+        : `Green missed the goal by ${balls(nearest.gap, line.ball![2])}.`,
+  guessed: (given: number, off: number, radius: number) =>
+    `The model gave your ball a chance of ${chance(given)}; the path it guessed was ${balls(off, radius)} off.`,
+  luck: (kind: LuckKind, solved: number, valid: number) =>
+    `${LUCK[kind]}: ${solved} of the ${valid} balls beside yours ${solved === 1 ? "solves" : "solve"} it too.`,
   showModel: "Show the model’s ball",
 
   playback: "Playback",
@@ -147,10 +146,10 @@ export const check = {
       ? `${percent(progress)} tried.`
       : working === 0
         ? "No ball of this size works."
-        : `A ball of this size works at ${working < 0.01 ? "less than 1%" : percent(working)} of all places.`) +
+        : `A ball of this size works at ${chance(working)} of all places.`) +
     `${working === 0 && progress === 1 ? "" : " Yellow: works."} Striped: no room for the ball.`,
-  compare: "Compare with the model’s guess",
-  agrees: (share: number) => `${percent(share)} of its guess lies where a ball works.`,
+  compare: "Compare with the model’s map",
+  agrees: (share: number) => `${percent(share)} of its map lies where a ball works.`,
   seek: "Show a solution",
   stop: "Stop looking",
   shown: "That was the solution: it does not count. Another ball is yours.",
@@ -160,7 +159,7 @@ export const check = {
       progress < 1
         ? `Looking for an easy ball: ${percent(progress)}.`
         : easiest
-          ? `${number(solved)} of ${counted(valid, "ball", "balls")} work. An easy one lies in the scene now.`
+          ? `${number(solved)} of ${counted(valid, "ball", "balls")} ${solved === 1 ? "works" : "work"}. An easy one lies in the scene now.`
           : `None of ${counted(valid, "ball", "balls")} works, of all places and sizes. One in between still might.`,
       progress === 1 && easiest && rank !== null ? `${percent(rank)} of Pathlight’s puzzles are harder.` : "",
     ]
@@ -172,11 +171,14 @@ export const check = {
 export const model = {
   choose: "Model",
   names: {
-    within: "Model A: knows all 25 kinds of puzzles",
-    cross: "Model B: knows 20 of the 25 kinds",
+    within: "Model A: trained on all 25 kinds of puzzles",
+    cross: "Model B: trained on random scenes",
   } satisfies Record<Setup, string>,
   short: { within: "Model A", cross: "Model B" } satisfies Record<Setup, string>,
-  practised: "Careful: it trained on this very puzzle.",
+  practised: {
+    within: "Careful: it trained on this very puzzle.",
+    cross: "Its maps were trained on this very puzzle; the net that picks the ball was not.",
+  },
   /** What is new to the model; the kind of a custom puzzle is unknown. */
   unseen: {
     within: "It has practised this kind, not this puzzle.",
@@ -187,10 +189,9 @@ export const model = {
 
 // What the model imagines: the walkthrough, the maps, and how they are made.
 const place = ([x, y]: Point) => `x ${Math.round(x)}, y ${Math.round(y)}`;
-const chanceOf = (chance: number) => (chance < 0.01 ? "under 1%" : percent(chance));
 
 export const imagine = {
-  walkthrough: "How the model comes to its ball",
+  walkthrough: "How the model picks its ball",
   tour: "Play the steps",
   stop: "Stop",
   all: "All",
@@ -245,8 +246,8 @@ export const imagine = {
   considered: (count: number, likely: number) =>
     `It considered ${counted(count, "ball", "balls")}, and gives ${likely === count ? "all" : likely || "none"} of them more than 50%.`,
   waiting: "The model is thinking …",
-  ended: (solved: boolean, chance: number) =>
-    `It gave its ball ${chanceOf(chance)}, and ${solved ? "it works." : "it does not work."}`,
+  ended: (solved: boolean, given: number) =>
+    `It gave its ball ${chance(given)}, and ${solved ? "it works." : "it does not work."}`,
   off: (distance: number, radius: number) =>
     `The path it imagined for green was ${balls(distance, radius)} off, on average.`,
 };
@@ -320,7 +321,7 @@ export const make = {
   problem: ({ fault, body, other }: NamedProblem): string => {
     switch (fault.kind) {
       case "unreadable":
-        return "It is no scene of Pathlight.";
+        return "This isn’t a Pathlight scene.";
       case "own_goal":
         return "Green cannot be its own goal: choose another goal.";
       case "static_object":
@@ -361,12 +362,12 @@ export const data = {
   agreement: percent,
   px: (distance: number) => `${number(distance, 1)}\u00a0px`,
   explained:
-    "Percentages: how well the imagined paths cover the real ones, intersection over union on 64 × 64 cells; without a ball the base path, else target and action path. Distance: between what the model imagined for your very ball and what happened, on average.",
+    "Percentages: how well the imagined paths cover the real ones, intersection over union on 64 × 64 cells; without a ball the base path, otherwise target and action path. Distance: between what the model imagined for your very ball and what happened, on average.",
   saveMaps: "Save the maps as a picture",
   attempts: "Your attempts",
   kept: (count: number) =>
     `${counted(count, "attempt", "attempts")}, kept in this browser alone. Safari deletes them after seven days without a visit, other browsers if the disk is full; a file stays.`,
-  save: "Save",
+  save: "Save to a file",
   open: "Open a file",
   table: "This puzzle as CSV",
 };
@@ -394,11 +395,11 @@ export const home = {
   make: "Make your own",
   makeHint: "Drag things around, play it, send it to a friend",
   facts: (puzzle: string, difficulty: Difficulty) => `${puzzle}, ${LEVELS[difficulty]}`,
-  howHard: (difficulty: Difficulty, rate: number) =>
+  howHard: (difficulty: Difficulty, { balls, isRarer }: Rarity) =>
     `${difficulty.charAt(0).toUpperCase()}${LEVELS[difficulty].slice(1)}: ` +
-    (rate > 0.002 ? `1 ball in ${Math.round(1 / rate)} solves it.` : "fewer than 1 ball in 500 solve it."),
+    (isRarer ? `fewer than 1 ball in ${balls} solve it.` : `1 ball in ${balls} solves it.`),
 
-  kinds: (count: number) => `${count} kinds, each with a puzzle that is new to the model`,
+  kinds: (count: number) => `${count} kinds of puzzles`,
   number: "Or by number:",
   /** "Puzzle 3 of 20 · 1 solved, 1 missed" */
   standing: (next: number, of: number, played: Standing["played"]) => {
@@ -413,32 +414,15 @@ export const home = {
   progress: "Your progress",
   soFar: ({ tried, solved, attempts }: Progress) =>
     `So far you have tried ${counted(tried, "puzzle", "puzzles")} and solved ${number(solved)}, with ${counted(attempts, "ball", "balls")}`,
-  keeps:
-    "Everything stays on this device, in this browser. Safari forgets it after seven days without a visit; a file keeps it.",
-  save: "Save to a file",
-  open: "Open a file",
-  forget: "Forget everything",
-  keep: "Keep it",
+  forget: "Forget all attempts",
+  keep: "Keep them",
   forgetHint: "This browser then knows none of your balls and solutions any more. That cannot be undone.",
 };
 
 // Sharing a puzzle, and links for a lesson.
-export interface Found {
-  /** Number of the ball that solved, and of the model's ball that did; null if none has. */
-  readonly solvedAt: number | null;
-  readonly modelAt: number | null;
-  /** Number of balls that the model has dropped. */
-  readonly modelBalls: number;
-}
-
-/** More misses than these are counted, not drawn. */
-const MOST_MARKS = 20;
-
 const first = (at: number) => (at === 1 ? "with the first ball" : `with ball ${at}`);
-const isWon = ({ solvedAt, modelAt, modelBalls }: Found) =>
-  solvedAt !== null && modelBalls >= solvedAt && (modelAt === null || modelAt > solvedAt);
 
-const rival = ({ modelAt, modelBalls }: Found) =>
+const rival = ({ modelAt, modelBalls }: Result) =>
   modelAt !== null
     ? `The model needed ${counted(modelAt, "ball", "balls")}.`
     : modelBalls > 0
@@ -446,23 +430,14 @@ const rival = ({ modelAt, modelBalls }: Found) =>
       : "";
 
 export const share = {
-  titles: {
-    share: "Share",
-    lesson: "Link for a lesson",
-    about: "About Pathlight",
-    forget: "Forget everything?",
-  } satisfies Record<Dialog, string>,
-
   /** On the picture. */
   headline: (solvedAt: number | null) => (solvedAt === null ? "Can you solve it?" : `Solved ${first(solvedAt)}`),
   model: rival,
-  message: (puzzle: string, found: Found, day: number | null) => {
-    const { solvedAt } = found;
+  message: (puzzle: string, found: Result, isDaily: boolean) => {
+    const { solvedAt, isWon, marks } = found;
     if (solvedAt === null) return `“${puzzle}” in Pathlight: can you solve it?`;
-    const misses = solvedAt - 1;
-    const marks = `${misses > MOST_MARKS ? `${misses} × 🔴 ` : "🔴".repeat(misses)}🟢`;
-    const daily = day === null ? "" : `Pathlight’s puzzle of the day. ${marks} `;
-    const result = isWon(found)
+    const daily = isDaily ? `Pathlight’s puzzle of the day. ${marks} ` : "";
+    const result = isWon
       ? `I beat the model at “${puzzle}” ${first(solvedAt)}.`
       : `I solved “${puzzle}” ${first(solvedAt)}.`;
     return `${daily}${result} ${rival(found)} ${solvedAt === 1 ? "Can you match it?" : "Can you do better?"}`.replace(
@@ -477,7 +452,7 @@ export const share = {
   save: "Save the picture",
   drawing: "The picture is being drawn …",
   noCard: {
-    missing: "This browser gives no picture. The text and the link say it all.",
+    missing: "This browser can’t make the picture. The text and the link say it all.",
     noise:
       "This browser guards its pictures, so there would be stripes instead of one. The text and the link say it all.",
   },
@@ -503,7 +478,7 @@ export const share = {
   lastPuzzle: "That was the last puzzle of the lesson.",
   place: (number: number, of: number) => `${number} of ${of}`,
   noPuzzles: (wrong: string[]) =>
-    `${wrong.join(", ")}: ${wrong.length === 1 ? "that is no puzzle" : "these are no puzzles"}. Their numbers look like 00007:008, or 7:8.`,
+    `${wrong.join(", ")}: ${wrong.length === 1 ? "that isn’t a puzzle" : "these aren’t puzzles"}. Their numbers look like 00007:008, or 7:8.`,
   shows: "What the class sees",
   presets: { everything: "Everything", play: "Play only", predict: "Predict: no guess of the model" } satisfies Record<
     Preset,
@@ -549,13 +524,12 @@ export const about = {
 // The page around the scene: header, menu, and messages about errors.
 const FAILURES: Record<Failure["code"], string> = {
   offline: "No connection. It comes when you are back.",
-  unreachable:
-    "The server does not answer. Try again in a while; a page’s Content-Security-Policy has to allow it (connect-src).",
+  unreachable: "The server does not answer. Try again in a while.",
   missing: "A file was not found on this server. Whoever runs it has to put all files of Pathlight there.",
-  page: "A web page came in place of a file. Does this network ask you to log in first? Else the server answers wrongly.",
+  page: "A web page came in place of a file. Does this network ask you to log in first? Otherwise the server answers wrongly.",
   damaged: "A file arrived damaged, or is of another version. Load the page again.",
   forbidden: "This page forbids WebAssembly: its Content-Security-Policy needs 'wasm-unsafe-eval' in script-src.",
-  old: "This browser is too old: it needs WebAssembly with SIMD. Update it, or take another.",
+  old: "This browser is too old: it needs WebAssembly with SIMD. Update it, or use another.",
   worker:
     "This page forbids workers: its Content-Security-Policy needs worker-src, and a sandboxed frame allow-same-origin.",
   crashed: "It stopped unexpectedly. Load it again.",
@@ -564,6 +538,13 @@ const FAILURES: Record<Failure["code"], string> = {
 
 export const page = {
   brand: "Pathlight",
+  /** Of the dialogs. */
+  titles: {
+    share: "Share",
+    lesson: "Link for a lesson",
+    about: "About Pathlight",
+    forget: "Forget all attempts?",
+  } satisfies Record<Dialog, string>,
   share: "Share",
   present: "Presentation",
   leave: "Leave the presentation",
@@ -596,7 +577,7 @@ export const page = {
       case "bad_file":
         return `This file was not opened: ${notice.problem ? make.problem(notice.problem) : "it holds no puzzles of Pathlight."}`;
       case "storage_full":
-        return "This browser has no room left: what you play now is forgotten when you leave.";
+        return "This browser keeps nothing here: what you play now is forgotten when you leave.";
       case "no_text":
         return "This language could not be loaded. Load the page again.";
       case "no_picture":
@@ -606,7 +587,7 @@ export const page = {
       case "opened":
         return (
           `${counted(notice.found, "attempt", "attempts")} in the file, ${notice.added || "none"} of them new here.` +
-          (notice.unread ? ` ${counted(notice.unread, "line is", "lines are")} no attempt.` : "")
+          (notice.unread ? ` ${counted(notice.unread, "line isn’t an attempt", "lines aren’t attempts")}.` : "")
         );
       case "no_attempts":
         return `${notice.file} is not a file of attempts from Pathlight. Nothing was changed.`;

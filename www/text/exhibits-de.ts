@@ -5,7 +5,7 @@ import { formatsOf } from "./formats.ts";
 import { puzzle } from "./de.ts";
 import type { ExhibitText } from "./exhibits-en.ts";
 
-const { counted, number, percent } = formatsOf("de");
+const { counted, number, percent } = formatsOf("de", "unter 1\u00a0%");
 
 const tries = (first: number | null) =>
   first === null ? `nicht mit ${ATTEMPT_LIMIT} Kugeln` : first === 1 ? "sofort" : `mit Kugel ${first}`;
@@ -60,7 +60,7 @@ export const exhibits: ExhibitText = {
 
     here: "Die Modelle dieser Seite, auf einer Aufteilung (Fold 0)",
     model: "Modell",
-    models: { within: "A: kennt alle 25 Arten", cross: "B: kennt 20 der 25 Arten" },
+    models: { within: "A: mit allen 25 Arten trainiert", cross: "B: mit zufälligen Szenen trainiert" },
     agent: "Spielweise",
     agents: {
       online: "online: wie es hier spielt, es lernt aus Fehlversuchen",
@@ -128,7 +128,7 @@ export const exhibits: ExhibitText = {
     byKind: "Die Netze des Fachartikels, Art für Art",
     byKindAbout: "Ein Strich: Keine Aufteilung prüft diese Art als neu.",
     kindColumn: "Art",
-    publishedColumn: "Artikel",
+    publishedColumn: "Fachartikel",
     oursColumn: "unsere",
   },
 };

@@ -5,7 +5,7 @@ import { formatsOf } from "./formats.ts";
 import { puzzle } from "./en.ts";
 import type { Reminder, Setup } from "../pkg/page/pathlight.js";
 
-const { counted, number, percent } = formatsOf("en-GB");
+const { counted, number, percent } = formatsOf("en-GB", "under 1%");
 
 const tries = (first: number | null) =>
   first === null ? `not solved with ${ATTEMPT_LIMIT} balls` : first === 1 ? "at once" : `with ball ${first}`;
@@ -61,7 +61,10 @@ export const exhibits = {
 
     here: "The models on this page, on one split (fold 0)",
     model: "Model",
-    models: { within: "A: knows all 25 kinds", cross: "B: knows 20 of the 25 kinds" } satisfies Record<Setup, string>,
+    models: { within: "A: trained on all 25 kinds", cross: "B: trained on random scenes" } satisfies Record<
+      Setup,
+      string
+    >,
     agent: "How it plays",
     agents: {
       online: "online: as it plays here, learning from its misses",

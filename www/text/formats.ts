@@ -8,7 +8,8 @@ export const GOAL_SECONDS = GOAL_STEPS / STEPS_PER_SECOND;
 /** Simulated time, s. */
 export const secondsOf = (steps: number) => steps / STEPS_PER_SECOND;
 
-export function formatsOf(language: string) {
+/** `rare` is a share of less than 1%, in words. */
+export function formatsOf(language: string, rare: string) {
   // Creating a format takes longer than a frame.
   const numbers: Intl.NumberFormat[] = [];
   let percents: Intl.NumberFormat | null = null;
@@ -18,10 +19,12 @@ export function formatsOf(language: string) {
     const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
     return (numbers[decimals] ??= new Intl.NumberFormat(language, digits)).format(value);
   };
+  /** 0.304 as "30%". */
+  const percent = (share: number) => (percents ??= new Intl.NumberFormat(language, { style: "percent" })).format(share);
   return {
     number,
-    /** 0.304 as "30%". */
-    percent: (share: number) => (percents ??= new Intl.NumberFormat(language, { style: "percent" })).format(share),
+    percent,
+    chance: (share: number) => (share < 0.01 ? rare : percent(share)),
     /** With a no-break space before the unit: "1.4 s". */
     seconds: (value: number) => `${number(value, 1)}\u00a0s`,
     counted: (count: number, one: string, more: string) => `${number(count)} ${count === 1 ? one : more}`,

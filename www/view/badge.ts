@@ -22,7 +22,7 @@ export function badge({ store }: App): View {
       if (answers.practised === null) return nothing;
       const unseen = text.model.unseen[puzzle.about.id ? kept.model : "custom"];
       return html`<p class=${answers.practised ? "practised" : "quiet"} title=${text.model.names[kept.model]}>
-        <b>${text.model.short[kept.model]}.</b> ${answers.practised ? text.model.practised : unseen}
+        <b>${text.model.short[kept.model]}.</b> ${answers.practised ? text.model.practised[kept.model] : unseen}
       </p>`;
     }
   }

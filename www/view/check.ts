@@ -12,7 +12,8 @@ import type { App, View } from "./view.ts";
 
 export function check({ store }: App): View {
   const { state } = store;
-  const { check, text, answers, route } = state;
+  const { check, text, answers, route, model } = state;
+  const found = solutions(state);
   const toggle = checkbox(check !== null, text.check.show, () => store.change(toggleCheck));
   if (!check) return html`<div class="check">${toggle}</div>`;
   const agreed = route.layers.includes("placement") ? agreement(state) : null;
@@ -29,7 +30,7 @@ export function check({ store }: App): View {
       />
       <output>${check.radius}</output>
     </label>
-    <p class="quiet">${text.check.tried(solutions(state)?.progress ?? 0, working(state))}</p>
+    ${model.kind === "failed" && !found ? nothing : html`<p class="quiet">${text.check.tried(found?.progress ?? 0, working(state))}</p>`}
     ${
       answers.maps?.placement
         ? checkbox(route.layers.includes("placement"), text.check.compare, () => store.change(toggleLayer, "placement"))

@@ -1,7 +1,6 @@
 // The panel Data, for researchers: the ball in numbers, the model, imagined compared with real paths, and files.
 
 import { html, nothing } from "lit-html";
-import { live } from "lit-html/directives/live.js";
 import { attemptCount } from "../core/change/kept.ts";
 import { chooseModel } from "../core/change/model.ts";
 import { FIRST_BALL, place } from "../core/change/placement.ts";
@@ -12,7 +11,8 @@ import { guess } from "../core/derived/placing.ts";
 import { ended, rollouts } from "../core/derived/run.ts";
 import { sameBall } from "../core/puzzle.ts";
 import { openFile, saveAttempts, saveMaps, saveTable } from "../effects/files.ts";
-import { MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../pkg/constants.ts";
+import { SETUPS } from "../model/shared.ts";
+import { fileButton, numberField } from "./widgets.ts";
 import type { Ball, Setup } from "../pkg/page/pathlight.js";
 import type { State } from "../core/state.ts";
 import type { App, View } from "./view.ts";
@@ -24,40 +24,25 @@ export function data(app: App): View {
 function ball({ store }: App): View {
   const { placement, text } = store.state;
   const axes = ["x", "y", "r"] as const;
-  return html`<fieldset class="fields">
+  return html`<fieldset>
     <legend>${text.data.ball}</legend>
-    ${axes.map(
-      (axis, index) =>
-        html`<label>
-          ${text.data.axes[axis]}
-          <input
-            class="number"
-            type="number"
-            min=${axis === "r" ? MIN_RADIUS : 0}
-            max=${axis === "r" ? MAX_RADIUS : SCENE_SIZE - 1}
-            .value=${live(placement.ball ? String(placement.ball[index]) : "")}
-            @change=${(event: Event) => changed(event, index)}
-          />
-        </label>`,
-    )}
+    <div class="row">
+      ${axes.map((axis, index) => numberField(text.data.axes[axis], placement.ball?.[index] ?? null, (value) => changed(value, index)))}
+    </div>
   </fieldset>`;
 
-  function changed({ target }: Event, index: number): void {
-    const field = target as HTMLInputElement;
-    const next = (placement.ball ?? FIRST_BALL).with(index, field.valueAsNumber) as Ball;
-    if (Number.isFinite(field.valueAsNumber)) store.change(place, next, null);
-    field.value = String(store.state.placement.ball?.[index] ?? "");
+  function changed(value: number, index: number): void {
+    store.change(place, (placement.ball ?? FIRST_BALL).with(index, value) as Ball, null);
   }
 }
 
 function model({ store }: App): View {
   const { kept, text } = store.state;
+  if (SETUPS.length < 2) return nothing;
   return html`<label class="switch">
     ${text.model.choose}
     <select @change=${({ target }: Event) => store.change(chooseModel, (target as HTMLSelectElement).value as Setup)}>
-      ${Object.entries(text.model.names).map(
-        ([setup, name]) => html`<option value=${setup} .selected=${setup === kept.model}>${name}</option>`,
-      )}
+      ${SETUPS.map((setup) => html`<option value=${setup} .selected=${setup === kept.model}>${text.model.names[setup]}</option>`)}
     </select>
   </label>`;
 }
@@ -106,24 +91,22 @@ function row(state: State, index: number): View {
   </tr>`;
 }
 
-function attempts({ store }: App): View {
-  const { state } = store;
-  const { text } = state;
-  const count = attemptCount(state.kept.attempts);
-  return html`<h2>${text.data.attempts}</h2>
-    <p>${text.data.kept(count)}</p>
-    <div class="buttons">
-      <button ?disabled=${count === 0} @click=${() => saveAttempts(state)}>${text.data.save}</button>
-      <label class="file"><input type="file" accept=".jsonl" @change=${opened} /><span>${text.data.open}</span></label>
-      <button ?disabled=${attemptsHere(state).length === 0} @click=${() => saveTable(state)}>${text.data.table}</button>
+function attempts(app: App): View {
+  const { state } = app.store;
+  const hasAttempts = attemptsHere(state).length > 0;
+  return html`<h2>${state.text.data.attempts}</h2>
+    ${attemptFiles(app)}
+    <p><button ?disabled=${!hasAttempts} @click=${() => saveTable(state)}>${state.text.data.table}</button></p>`;
+}
+
+/** The attempts kept in this browser: to save, to open, and to forget. */
+export function attemptFiles({ store }: App): View {
+  const { kept, text } = store.state;
+  const count = attemptCount(kept.attempts);
+  return html`<p class="quiet">${text.data.kept(count)}</p>
+    <div class="row">
+      <button ?disabled=${count === 0} @click=${() => saveAttempts(store.state)}>${text.data.save}</button>
+      ${fileButton(text.data.open, ".jsonl,.json,application/json", (file) => void openFile(store, file))}
       <button ?disabled=${count === 0} @click=${() => store.change(openDialog, "forget")}>${text.home.forget}</button>
     </div>`;
-
-  function opened({ target }: Event): void {
-    const input = target as HTMLInputElement;
-    const [file] = input.files!;
-    // Allow the same file to be opened again.
-    input.value = "";
-    if (file) void openFile(store, file);
-  }
 }

@@ -1,4 +1,5 @@
-// The dialogs over the page: one at a time, closed by its button, by Escape, or by a click outside it.
+// The dialogs over the page: one at a time, closed by its button, by Escape, or, where browsers support it, by a click
+// outside it.
 
 import { html, nothing } from "lit-html";
 import { live } from "lit-html/directives/live.js";
@@ -24,9 +25,9 @@ export function dialogs(app: App): View {
   const { store } = app;
   const { dialog, text } = store.state;
   if (!dialog) return nothing;
-  return html`<dialog aria-label=${text.share.titles[dialog]} ${ref(show)} @close=${closed} @click=${clicked}>
+  return html`<dialog aria-label=${text.page.titles[dialog]} closedby="any" ${ref(show)} @close=${closed}>
     <div class="row">
-      <h2>${text.share.titles[dialog]}</h2>
+      <h2>${text.page.titles[dialog]}</h2>
       <button @click=${closed}>${text.page.dismiss}</button>
     </div>
     ${DIALOGS[dialog](app)}
@@ -34,10 +35,6 @@ export function dialogs(app: App): View {
 
   function closed(): void {
     store.change(openDialog, null);
-  }
-
-  function clicked({ target, currentTarget }: Event): void {
-    if (target === currentTarget) closed();
   }
 }
 
@@ -123,11 +120,8 @@ function lessonDialog({ store }: App): View {
             </p>
             <p role="status">${state.share.done ? text.share.done[state.share.done] : ""}</p>
             ${OWN_MACHINE.test(new URL(address).hostname) ? html`<p class="quiet">${text.share.ownMachine}</p>` : nothing}
-            ${
-              lesson.code
-                ? html`<img class="code" src=${lesson.code} alt=${text.share.code} />`
-                : html`<p class="quiet">${text.share.noCode}</p>`
-            }`
+            ${lesson.code ? html`<img class="code" src=${lesson.code} alt=${text.share.code} />` : nothing}
+            ${lesson.code === null ? html`<p class="quiet">${text.share.noCode}</p>` : nothing}`
         : html`<p role="alert">${text.share.noPuzzles(lessonTasks(state).wrong)}</p>`
     }
     <p class="quiet">${text.share.end}</p>`;

@@ -9,7 +9,7 @@ import { openDialog } from "../core/change/dialog.ts";
 import { canGoOn, isHidden } from "../core/derived/hidden.ts";
 import { isHome } from "../core/derived/home.ts";
 import { taskOf } from "../core/derived/next.ts";
-import { theme } from "../core/derived/preferences.ts";
+import { PAGES } from "../effects/old-links.ts";
 import { LANGUAGES } from "../text/languages.ts";
 import { icon } from "./icons.ts";
 import type { Theme } from "../core/change/kept.ts";
@@ -88,14 +88,14 @@ function picker({ store }: App): View {
 
 function menu({ store }: App): View {
   const { state } = store;
-  const { text } = state;
+  const { text, kept } = state;
   return html`<details class="menu" @keydown=${closed} @focusout=${left}>
     <summary aria-label=${text.page.menu}>${icon("menu")}</summary>
     <div>
       <div class="items">
-        <button @click=${() => store.change(openDialog, "lesson")}>${text.share.titles.lesson}</button>
+        <button @click=${() => store.change(openDialog, "lesson")}>${text.page.titles.lesson}</button>
         ${isHome(state) ? nothing : html`<button @click=${() => store.change(present, "presentation")}>${text.page.present}</button>`}
-        <button @click=${() => store.change(openDialog, "about")}>${text.share.titles.about}</button>
+        <button @click=${() => store.change(openDialog, "about")}>${text.page.titles.about}</button>
       </div>
       <fieldset>
         <legend>${text.page.language}</legend>
@@ -114,16 +114,16 @@ function menu({ store }: App): View {
         <legend>${text.page.theme}</legend>
         ${(["light", "dark"] satisfies Theme[]).map(
           (one) =>
-            html`<button aria-pressed=${one === theme(state)} @click=${() => store.change(choose, { theme: one })}>
+            html`<button
+              aria-pressed=${one === kept.theme}
+              @click=${() => store.change(choose, { theme: one === kept.theme ? null : one })}
+            >
               ${text.page.themes[one]}
             </button>`,
         )}
       </fieldset>
       <p>
-        ${(["learns", "results"] as const).map(
-          (exhibit) =>
-            html`<a href=${`${exhibit}.html?lang=${text.language}&theme=${theme(state)}`}>${text.page[exhibit]}</a>`,
-        )}
+        ${(["learns", "results"] as const).map((exhibit) => html`<a href=${PAGES.get(exhibit)}>${text.page[exhibit]}</a>`)}
       </p>
     </div>
   </details>`;

@@ -3,17 +3,26 @@
 import { html, nothing, svg } from "lit-html";
 import { guard } from "lit-html/directives/guard.js";
 import { goTo } from "../opening.ts";
-import { openDialog } from "../core/change/dialog.ts";
-import { difficulty, introShown, kindsOf, progress, standing, taskOfDay, unsolvedTask } from "../core/derived/home.ts";
+import {
+  difficulty,
+  introShown,
+  kindsOf,
+  progress,
+  rarity,
+  standing,
+  taskOfDay,
+  unsolvedTask,
+} from "../core/derived/home.ts";
 import { isDark } from "../core/derived/preferences.ts";
 import { taskOf } from "../core/derived/next.ts";
 import { goal } from "../core/derived/placing.ts";
 import { writeAddress } from "../effects/address.ts";
-import { openFile, saveAttempts } from "../effects/files.ts";
+import { SETUPS } from "../model/shared.ts";
 import { PAGES } from "../effects/old-links.ts";
 import { START } from "../core/change/route.ts";
 import { SCENE_SIZE } from "../pkg/constants.ts";
 import { benchmark, rateOf, thumbnail } from "../simulator.ts";
+import { attemptFiles } from "./data.ts";
 import { yours } from "./make.ts";
 import type { Kind } from "../core/derived/home.ts";
 import type { State } from "../core/state.ts";
@@ -41,9 +50,10 @@ export function picks({ store }: App): View {
   const { state } = store;
   const { text, device, kept, recorded } = state;
   // Nothing here depends on what moves in the picture.
-  return html`${guard([text, device, kept.attempts, recorded, isDark(state)], () => {
+  return html`${guard([text, device, kept.attempts, kept.model, recorded, isDark(state)], () => {
     const daily = taskOfDay(benchmark(), device.day);
-    const unsolved = unsolvedTask(state);
+    // Another model may solve it.
+    const unsolved = kept.model === SETUPS[0] ? unsolvedTask(state) : null;
     const facts = (task: string) => text.home.facts(nameOf(state, task), difficulty(rateOf(task)));
     return html`<ul class="picks" @click=${toTop}>
       ${pick(state, daily, text.home.day, facts(daily))}
@@ -68,7 +78,7 @@ function pick(state: State, task: string, title: string, hint: string, href = hr
 
 let kinds: Kind[] | null = null;
 
-/** The kinds, the easiest first, each with its next puzzle that is new to person and model. */
+/** The kinds, the easiest first, each with its next puzzle that is new to the person and the first model. */
 export function gallery(app: App): View {
   const { store } = app;
   const { state } = store;
@@ -109,7 +119,7 @@ function tile(state: State, kind: Kind): View {
     <a href=${hrefOf(task)}>
       <span class="picture"> ${thumbnail(task, isDark(state), "tile")} ${path ? imagined(path) : nothing} </span>
       <strong>${nameOf(state, task)}</strong>
-      <span class="quiet">${text.home.howHard(difficulty(rateOf(task)), rateOf(task))}</span>
+      <span class="quiet">${text.home.howHard(difficulty(rateOf(task)), rarity(rateOf(task)))}</span>
       ${played.length ? html`<span class="mark">${text.home.standing(number, kind.tasks.length, played)}</span>` : nothing}
     </a>
   </li>`;
@@ -123,32 +133,13 @@ function imagined(path: readonly number[]): View {
   </svg>`;
 }
 
-function progressMenu({ store }: App): View {
-  const { text } = store.state;
-  const made = progress(store.state);
+function progressMenu(app: App): View {
+  const { text } = app.store.state;
+  const made = progress(app.store.state);
   return html`<details class="progress">
     <summary>${made.attempts ? text.home.soFar(made) : text.home.progress}</summary>
-    <p class="quiet">${text.home.keeps}</p>
-    <p class="row">
-      ${
-        made.attempts
-          ? html`<button @click=${() => saveAttempts(store.state)}>${text.home.save}</button>
-              <button @click=${() => store.change(openDialog, "forget")}>${text.home.forget}</button>`
-          : nothing
-      }
-      <label class="button">
-        ${text.home.open}
-        <input type="file" class="unseen" accept=".jsonl,.json,application/json" @change=${chosen} />
-      </label>
-    </p>
+    ${attemptFiles(app)}
   </details>`;
-
-  function chosen({ target }: Event): void {
-    const input = target as HTMLInputElement;
-    const file = input.files?.[0];
-    input.value = "";
-    if (file) void openFile(store, file);
-  }
 }
 
 const nameOf = ({ text, puzzle }: State, task: string) => text.puzzle.name({ ...puzzle.about, id: task });

@@ -128,11 +128,11 @@ function nameOf(words: Text["imagine"], part: MapName | Step): string {
 /** Explains how the step works, or all steps. */
 function how({ route: { step }, text: { imagine } }: State): View {
   const parts =
-    step === "placement" ? (["placement", "success"] as const) : step ? [step] : [...MAPS, ...STEPS.slice(4)];
+    step === "placement" ? (["placement", "success"] as const) : step ? [step] : new Set([...MAPS, ...STEPS]);
   return html`<details class="how">
     <summary>${imagine.how}</summary>
     <dl>
-      ${parts.map(
+      ${[...parts].map(
         (part) =>
           html`<dt>${nameOf(imagine, part)}</dt>
             <dd>${imagine.hows[part]}</dd>`,

@@ -28,8 +28,9 @@ import { shownPanel } from "../core/derived/hidden.ts";
 import { readPuzzles, savePuzzle } from "../effects/making.ts";
 import { SCENE_LIMITS, SCENE_SIZE } from "../pkg/constants.ts";
 import { fits, openPuzzle, problemsOf } from "../simulator.ts";
+import { badge } from "./badge.ts";
 import { check } from "./check.ts";
-import { checkbox } from "./widgets.ts";
+import { checkbox, fileButton, numberField } from "./widgets.ts";
 import type { Role, Shape } from "../core/derived/bodies.ts";
 import type { State } from "../core/state.ts";
 import type { SceneProblem } from "../pkg/page/pathlight.js";
@@ -39,7 +40,8 @@ export function make(app: App): View {
   const { store } = app;
   const { state } = store;
   const { text } = state;
-  return html`${tools(app)} ${selected(app)} ${details(app)} ${check(app)}
+  return html`${tools(app)} ${selected(app)} ${details(app)} ${state.model.kind === "failed" ? badge(app) : nothing}
+  ${check(app)}
   ${
     // The check replaces it in the scene.
     state.check ? nothing : checkbox(state.kept.live, text.make.live, (live) => store.change(choose, { live }))
@@ -150,11 +152,13 @@ function details({ store }: App): View {
       </label>
       ${
         body
-          ? html`${number("x", body.x, (x) => store.change(moveTo, x, body.y, null))}
-            ${number("y", body.y, (y) => store.change(moveTo, body.x, y, null))}
-            ${number(text.make.angle, degreesOf(body), (degrees) => store.change(turnTo, degrees, null))}
+          ? html`${numberField("x", body.x, (x) => store.change(moveTo, x, body.y, null))}
+            ${numberField("y", body.y, (y) => store.change(moveTo, body.x, y, null))}
+            ${numberField(text.make.angle, degreesOf(body), (degrees) => store.change(turnTo, degrees, null))}
             ${SIZES[body.shape].map((size) =>
-              number(text.make.sizes[size], sizeOf(body, size), (value) => store.change(resizeTo, size, value, null)),
+              numberField(text.make.sizes[size], sizeOf(body, size), (value) =>
+                store.change(resizeTo, size, value, null),
+              ),
             )}`
           : nothing
       }
@@ -165,24 +169,6 @@ function details({ store }: App): View {
   function chosen({ target }: Event): void {
     const { value } = target as HTMLSelectElement;
     store.change(select, value === "" ? null : Number(value));
-  }
-}
-
-/** The largest accepted number: a body further away could not be found again. */
-const FARTHEST = 1e5;
-
-function number(label: string, value: number, onTyped: (value: number) => void): View {
-  const shown = String(Math.round(value * 100) / 100);
-  return html`<label class="field">
-    ${label} <input class="figure" type="number" step="any" .value=${shown} @change=${typed} />
-  </label>`;
-
-  function typed({ target }: Event): void {
-    const field = target as HTMLInputElement;
-    const now = field.valueAsNumber;
-    // Reset a field that is empty or out of range.
-    field.value = shown;
-    if (Math.abs(now) <= FARTHEST) onTyped(now);
   }
 }
 
@@ -207,12 +193,8 @@ function keeping({ store }: App): View {
         />
       </label>
       <button ?disabled=${!isCustom || isKept} @click=${keep}>${isKept ? text.make.kept : text.make.keep}</button>
-      <button ?disabled=${!isPlayable} @click=${() => savePuzzle(puzzle.custom, text.puzzle.name(puzzle.about))}>
-        ${text.make.save}
-      </button>
-      <label class="file">
-        ${text.make.open}<input class="unseen" type="file" accept=".json,application/json" @change=${opened} />
-      </label>
+      <button ?disabled=${!isPlayable} @click=${() => savePuzzle(puzzle)}>${text.make.save}</button>
+      ${fileButton(text.make.open, ".json,application/json", (file) => void open(file))}
     </div>
     ${isCustom ? html`<p class="quiet">${text.make.link}</p>` : nothing}`;
 
@@ -228,12 +210,8 @@ function keeping({ store }: App): View {
     store.change(keepPuzzles, { [puzzle.key]: puzzle.custom }, Date.now());
   }
 
-  async function opened({ target }: Event): Promise<void> {
-    const field = target as HTMLInputElement;
-    const [file] = field.files ?? [];
-    if (!file) return;
+  async function open(file: File): Promise<void> {
     const read = await readPuzzles(file);
-    field.value = "";
     if ("problem" in read) return store.change(setNotice, { kind: "bad_file", ...read });
     if (read.length === 1) return openScene(store, read[0]!);
     const puzzles = read.map((scene) => openPuzzle(scene));

@@ -48,9 +48,10 @@ export function announcement(state: State): string {
   if (panel === "make" && !run && !searched(state)) return madeInWords(state) || hint(state);
   const found = result(state);
   if (found) return found.join(" ");
-  if (panel === "imagine") return stepWords(state);
   const told = verdict(state);
-  return told ? [state.text.play.verdict(told), ...details(state, told)].join(" ") : hint(state);
+  if (told) return [state.text.play.verdict(told), ...details(state, told)].join(" ");
+  const isStep = panel === "imagine" && !run && !fault(state) && (state.route.step !== null || !placement.ball);
+  return isStep ? stepWords(state) : hint(state);
 }
 
 /** Describes the scene for people who cannot see it. */
@@ -75,7 +76,9 @@ function result(state: State): [outcome: string, details: string] | null {
   const predicted = prediction(state);
   if (predicted) return [text.predict.result(predicted.you, predicted.model), text.predict.measured];
   const ran = favourite(state);
-  return ran && [text.imagine.ended(ran.facts.ending.solved, ran.chance), text.imagine.off(ran.off, ran.radius)];
+  if (!ran) return null;
+  const { ending, line } = ran.facts;
+  return [text.imagine.ended(ending.solved, ran.chance), text.imagine.off(ran.off, line.ball![2])];
 }
 
 function hint(state: State): string {
@@ -117,13 +120,13 @@ function caption(state: State): string {
 
 function details(state: State, told: Verdict): string[] {
   const { text, route } = state;
-  const { facts, guessed, luck, radius } = told;
+  const { facts, guessed, luck } = told;
   return [
     facts.ending.solved ? null : text.play.miss(told),
     facts.ending.solved && route.challenge ? text.share.challenged(told.round, route.challenge) : null,
     facts.ending.solved && endsLesson(state) ? text.share.lastPuzzle : null,
-    luck && text.play.luck(luck.solved, luck.valid),
-    guessed && text.play.guessed(guessed.chance, guessed.off, radius),
+    luck && text.play.luck(luck.kind, luck.solved, luck.valid),
+    guessed && text.play.guessed(guessed.chance, guessed.off, facts.line.ball![2]),
   ].filter((sentence) => sentence !== null);
 }
 

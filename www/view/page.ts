@@ -4,7 +4,7 @@
 import { html, nothing } from "lit-html";
 import { present } from "../core/change/route.ts";
 import { setNotice } from "../core/change/settings.ts";
-import { difficulty, introShown, isHome, taskOfDay } from "../core/derived/home.ts";
+import { difficulty, introShown, isHome, rarity, taskOfDay } from "../core/derived/home.ts";
 import { shownPanel } from "../core/derived/hidden.ts";
 import { goal } from "../core/derived/placing.ts";
 import { benchmark, rateOf } from "../simulator.ts";
@@ -52,7 +52,7 @@ function task({ store }: App): View {
   return html`${isDaily ? html`<p class="daily">${text.home.day}</p>` : nothing} ${task}
     <p class="quiet">
       ${text.puzzle.instructions(puzzle.about)}
-      ${id === null ? nothing : text.home.howHard(difficulty(rateOf(id)), rateOf(id))}
+      ${id === null ? nothing : text.home.howHard(difficulty(rateOf(id)), rarity(rateOf(id)))}
     </p>`;
 }
 

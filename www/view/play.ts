@@ -35,7 +35,7 @@ function duel({ store }: App): View {
         (round) =>
           html`<li>
             <button
-              aria-label=${`${text.play.round(round.number)}. ${text.play.you}: ${mark(round).you}. ${text.play.model}: ${mark(round).model}`}
+              aria-label=${named(round)}
               aria-pressed=${run?.round === round.number}
               @click=${() => store.change(show, round.number)}
             >
@@ -52,10 +52,12 @@ function duel({ store }: App): View {
     return html`<span class=${model.solved ? "solved" : "not_solved"}>${model.solved ? "✓" : "✕"}</span>`;
   }
 
-  function mark({ number, player, model }: Round): { you: string; model: string } {
+  function named({ number, player, model }: Round): string {
     const word = (solved: boolean) => (solved ? text.play.solved : text.play.missed);
+    const you = `${text.play.round(number)}. ${text.play.you}: ${word(player.status === "solved")}`;
+    if (isAlone(state)) return you;
     const rest = modelAt !== null && number > modelAt ? text.play.done : text.play.waiting;
-    return { you: word(player.status === "solved"), model: model ? word(model.solved) : rest };
+    return `${you}. ${text.play.model}: ${model ? word(model.solved) : rest}`;
   }
 }
 

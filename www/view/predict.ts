@@ -8,7 +8,7 @@ import type { App, View } from "./view.ts";
 export function predict({ store }: App): View {
   const { text, sketch, placement } = store.state;
   return html`<p>${text.predict.intro}</p>
-    <div class="buttons">
+    <div class="row">
       <button ?disabled=${sketch.line.length === 0} @click=${() => store.change(wipe)}>${text.predict.wipe}</button>
       <button ?disabled=${placement.ball === null} @click=${() => store.change(place, null, null)}>
         ${text.predict.noBall}

@@ -1,4 +1,4 @@
-// The dialogs over the page: sharing, a link for a lesson, about, and the confirmation before forgetting everything.
+// The dialogs over the page: sharing, a link for a lesson, about, and the confirmation before forgetting all attempts.
 
 import { hideable, panelsOf } from "./route.ts";
 import { attempts } from "../derived/duel.ts";
@@ -32,12 +32,12 @@ export interface Lesson {
   /** As typed by the person. */
   readonly tasks: string;
   readonly presentation: boolean;
-  /** The address as a QR code, a data URL; null if it is too long for one. */
-  readonly code: string | null;
+  /** The address as a QR code, a data URL; null if it is too long for one, undefined while it is not known. */
+  readonly code: string | null | undefined;
 }
 
 export const SHARE: Share = { withBall: false, card: { kind: "drawing" }, done: null };
-export const LESSON: Lesson = { preset: "everything", hide: [], tasks: "", presentation: false, code: null };
+export const LESSON: Lesson = { preset: "everything", hide: [], tasks: "", presentation: false, code: undefined };
 
 export function openDialog(state: State, dialog: Dialog | null): State {
   const { id } = state.puzzle.about;

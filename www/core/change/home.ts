@@ -14,8 +14,8 @@ export interface Recorded {
   readonly scene: { readonly task: string } & Futures;
   /** The imagined path of the green object by task, for one task of each kind: x, y, x, y, … px. */
   readonly paths: Readonly<Record<string, readonly number[]>>;
-  /** For each model, puzzles that it does not solve in a hundred attempts, the easiest first. */
-  readonly unsolved: Readonly<Record<string, readonly string[]>>;
+  /** Puzzles that the first model does not solve in a hundred attempts, the easiest first. */
+  readonly unsolved: readonly string[];
 }
 
 /** What the model imagines for a puzzle before it drops its first ball. */

@@ -8,6 +8,8 @@ import type { Language, Text } from "../../text/languages.ts";
 export interface Device {
   readonly language: Language;
   readonly theme: Theme;
+  /** The theme that the embedding page asks for, also instead of the person's choice; null for none. */
+  readonly asked: Theme | null;
   /** Whether the person prefers reduced motion. */
   readonly stillness: boolean;
   /** Date of the device, in days since 1970. */
@@ -31,8 +33,8 @@ export type Notice =
   | { readonly kind: "opened"; readonly added: number; readonly found: number; readonly unread: number }
   | { readonly kind: "no_attempts"; readonly file: string };
 
-export function setDevice(state: State, device: Device): State {
-  return { ...state, device };
+export function setDevice(state: State, change: Partial<Device>): State {
+  return { ...state, device: { ...state.device, ...change } };
 }
 
 export function setText(state: State, text: Text): State {

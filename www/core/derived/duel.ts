@@ -23,15 +23,16 @@ export interface Verdict {
   readonly modelAt: number | null;
   /** Facts of the player's rollout. */
   readonly facts: RolloutFacts;
-  /** Radius of the player's ball, px. */
-  readonly radius: number;
   /** Chance that the model gave the ball, 0..1, and mean distance of its guess from the real path, px. */
   readonly guessed: { readonly chance: number; readonly off: number } | null;
   /** Whether green went exactly as it does without a ball. */
   readonly changedNothing: boolean;
   /** How many of the balls next to a solution also solve. */
-  readonly luck: Luck | null;
+  readonly luck: (Luck & { readonly kind: LuckKind }) | null;
 }
+
+/** How much of a solution was luck: the fewer of the balls next to it solve, the more. */
+export type LuckKind = "plan" | "some" | "mostly";
 
 /** A row of the list. */
 export interface Round {
@@ -42,7 +43,7 @@ export interface Round {
 }
 
 /** Actions of the large button; `try` and `make` go from making a puzzle to trying it, and back. */
-export type Step = "start" | "drop" | "run" | "pause" | "play" | "again" | "back" | "next" | "try" | "make";
+export type Action = "start" | "drop" | "run" | "pause" | "play" | "again" | "back" | "next" | "try" | "make";
 
 export function attempts({ kept, puzzle }: State): readonly AttemptLine[] {
   return kept.attempts[puzzle.key] ?? [];
@@ -86,25 +87,29 @@ export function rounds(state: State): Round[] {
 
 /** Null until the run has ended. */
 export function verdict(state: State): Verdict | null {
-  const { run } = state;
+  const {
+    run,
+    answers: { luck },
+  } = state;
   const [facts] = rollouts(state);
   const ball = facts?.line.ball;
   if (!run || run.round === null || !facts || !ball || run.balls[0]!.of_model || !ended(state)) return null;
   const { round } = run;
-  const told = modelSolvedAt(state);
-  const modelAt = told !== null && told <= round ? told : null;
   const imagined = guess(state)?.imagined;
   const off = imagined && facts.paths ? meanDistance(imagined.object, facts.paths.object) : null;
   return {
-    outcome: outcomeOf(state, round, facts.ending.solved, modelAt),
+    outcome: outcomeOf(state, round, facts.ending.solved),
     round,
-    modelAt,
+    modelAt: modelSolvedBy(state, round),
     facts,
-    radius: ball[2],
     guessed: imagined && off !== null ? { chance: imagined.probability, off } : null,
     changedNothing: isPathWithoutBall(state, facts),
-    luck: state.answers.luck && sameBall(state.answers.luck.of, ball) ? state.answers.luck.found : null,
+    luck: luck && sameBall(luck.of, ball) ? { ...luck.found, kind: luckKind(luck.found) } : null,
   };
+}
+
+function luckKind({ solved, valid }: Luck): LuckKind {
+  return solved > 0.6 * valid ? "plan" : solved > 0.25 * valid ? "some" : "mostly";
 }
 
 function isPathWithoutBall({ puzzle }: State, { paths }: RolloutFacts): boolean {
@@ -112,8 +117,16 @@ function isPathWithoutBall({ puzzle }: State, { paths }: RolloutFacts): boolean 
   return Boolean(paths && alone && paths.object.every((place, at) => place === alone.object[at]));
 }
 
-function outcomeOf(state: State, round: number, solved: boolean, modelAt: number | null): Outcome {
+/** Number of the model's ball that solved, if it was dropped by a round. */
+function modelSolvedBy(state: State, round: number): number | null {
+  const modelAt = modelSolvedAt(state);
+  return modelAt !== null && modelAt <= round ? modelAt : null;
+}
+
+/** How a round ended in which the player's ball solved or did not. */
+export function outcomeOf(state: State, round: number, solved: boolean): Outcome {
   const solvedAt = playerSolvedAt(state);
+  const modelAt = modelSolvedBy(state, round);
   if (!solved && solvedAt !== null && solvedAt < round) return "after";
   const isDuel = !isAlone(state) && (modelAt !== null || state.answers.turn.length >= round);
   if (!isDuel) return solved ? "solved" : "missed";
@@ -128,7 +141,7 @@ export function missesInARow(state: State): number {
 }
 
 /** The next action of the large button. */
-export function nextStep(state: State): Step {
+export function nextStep(state: State): Action {
   if (introShown(state)) return "start";
   const panel = shownPanel(state);
   if (!state.run) return panel === "make" ? "try" : panel === "predict" ? "run" : "drop";
@@ -143,7 +156,7 @@ function numberOf(index: number): number | null {
 }
 
 /** Mean distance of two paths x, y, x, y, … */
-export function meanDistance(one: Float32Array, other: Float32Array): number {
+export function meanDistance(one: ArrayLike<number>, other: ArrayLike<number>): number {
   let sum = 0;
   for (let at = 0; at < one.length; at += 2) sum += Math.hypot(one[at]! - other[at]!, one[at + 1]! - other[at + 1]!);
   return sum / (one.length / 2);

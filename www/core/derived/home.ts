@@ -1,7 +1,7 @@
 // Derived for the home page: the show in its scene, the kinds of puzzles, and puzzles to start with.
 
 import { IMAGINE, PICK } from "../change/home.ts";
-import { attempts, playerSolvedAt } from "./duel.ts";
+import { meanDistance } from "./duel.ts";
 import { ended } from "./run.ts";
 import { kindOf } from "./next.ts";
 import type { Futures } from "../change/home.ts";
@@ -63,16 +63,12 @@ function partOf(path: ArrayLike<number>, fraction: number): Float32Array {
   return Float32Array.from(part);
 }
 
-/** Distance of the model's guess from the real path, in widths of the scene; null until both are known. */
+/** Distance of the model's guess from the real path, px; null until both are known. */
 export function introMiss({ puzzle, answers }: State): { solved: boolean; off: number } | null {
   if (!answers.futures) return null;
   const { ball, imagined } = answers.futures;
   const { paths, ending } = puzzle.rollout(ball);
-  const real = paths!.object;
-  let sum = 0;
-  for (let at = 0; at < real.length; at += 2)
-    sum += Math.hypot(real[at]! - imagined.object[at]!, real[at + 1]! - imagined.object[at + 1]!);
-  return { solved: ending.solved, off: sum / (real.length / 2) };
+  return { solved: ending.solved, off: meanDistance(paths!.object, imagined.object) };
 }
 
 /** A kind of puzzles. Its tasks are those new to the model, the easiest first. */
@@ -115,6 +111,20 @@ export function difficulty(rate: number): Difficulty {
   return rate >= 0.02 ? "easy" : rate >= 0.004 ? "medium" : "hard";
 }
 
+/** Of how many balls one solves, on average; `isRarer`: of even more. */
+export interface Rarity {
+  readonly balls: number;
+  readonly isRarer: boolean;
+}
+
+/** Beyond this many, the number is not told exactly. */
+const RAREST = 500;
+
+export function rarity(rate: number): Rarity {
+  const isRarer = rate * RAREST <= 1;
+  return { balls: isRarer ? RAREST : Math.round(1 / rate), isRarer };
+}
+
 /** A puzzle of the day is not too hard: at least this share of balls solves it. */
 const LEAST_RATE = 0.01;
 /** A prime, so that kinds alternate and no puzzle repeats before all have been shown. */
@@ -126,9 +136,9 @@ export function taskOfDay({ tasks, rates, unseen }: Benchmark, day: number): str
   return possible[(day * STRIDE) % possible.length]!;
 }
 
-/** The easiest puzzle that neither the model nor the person has solved; null while none is known. */
+/** The easiest puzzle that neither the first model nor the person has solved; null while none is known. */
 export function unsolvedTask({ recorded, kept }: State): string | null {
-  const tasks = recorded ? (Object.values(recorded.unsolved)[0] ?? []) : [];
+  const tasks = recorded?.unsolved ?? [];
   const solved = (task: string) => kept.attempts[task]?.some(({ status }) => status === "solved");
   return tasks.find((task) => !solved(task)) ?? tasks[0] ?? null;
 }
@@ -143,12 +153,4 @@ export function progress({ kept }: Pick<State, "kept">): Progress {
   const lists = Object.values(kept.attempts);
   const solved = lists.filter((lines) => lines.some(({ status }) => status === "solved")).length;
   return { tried: lists.length, solved, attempts: lists.reduce((sum, { length }) => sum + length, 0) };
-}
-
-/** A result worth sending on: the number of the ball that solved, and the model's, if it has. */
-export function result(state: State): { solvedAt: number | null; modelAt: number | null; modelBalls: number } {
-  const solvedAt = playerSolvedAt(state);
-  const balls = state.answers.turn.slice(0, attempts(state).length);
-  const at = balls.findIndex(({ ending }) => ending.solved);
-  return { solvedAt, modelAt: at < 0 ? null : at + 1, modelBalls: balls.length };
 }

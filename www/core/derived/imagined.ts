@@ -46,7 +46,6 @@ export function hints(state: State): View["hints"] {
 /** Outcome of the model's favourite ball, and the mean error of its guess, px. */
 export interface Favourite {
   readonly facts: RolloutFacts;
-  readonly radius: number;
   readonly chance: number;
   readonly off: number;
 }
@@ -57,7 +56,7 @@ export function favourite(state: State): Favourite | null {
   const imagined = guess(state)?.imagined;
   if (!atLastStep(state) || !ended(state) || !facts?.paths || !imagined) return null;
   const off = meanDistance(imagined.object, facts.paths.object);
-  return { facts, radius: facts.line.ball![2], chance: imagined.probability, off };
+  return { facts, chance: imagined.probability, off };
 }
 
 /** How well two masks or maps agree, 0..1: intersection over union, cell by cell. */

@@ -13,7 +13,7 @@ export interface Benchmark {
 const HARDER = 0.8;
 
 /**
- * The first puzzle of the home page. The model imagines it well and still misses, so whoever has watched can win
+ * The first puzzle of the home page. The first model imagines it well and still misses, so whoever has watched can win
  * without having seen the answer. Its show has been recorded.
  */
 export const FIRST_TASK = "00013:193";
@@ -42,7 +42,6 @@ export function nextTask(
   return from ?? tasks[0]!;
 }
 
-/** The task some places further in the list, which wraps around. */
 /** The puzzle some places further in a list; a list that does not wrap around ends. */
 export function neighbour(
   tasks: readonly string[],
