@@ -48,7 +48,7 @@ async function temporaryFolder() {
 
 const style = (page) => page.locator("link[rel=stylesheet]").getAttribute("href");
 const menu = async (page, name) => {
-  await page.locator("summary[aria-label=Menu]").click();
+  await button(page, "Menu").click();
   await button(page, name).click();
 };
 

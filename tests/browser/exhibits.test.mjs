@@ -35,7 +35,7 @@ const until = (page, count) =>
 
 test("from the menu, in the language of the page; an earlier link leads there too", async () => {
   const page = await openPuzzle(session);
-  await page.locator("summary").click();
+  await button(page, "Menu").click();
   await button(page, "Deutsch").click();
   await page.getByRole("link", { name: "Dem Modell beim Lernen zusehen" }).click();
   await page.getByRole("heading", { name: "Dem Modell beim Lernen zusehen" }).waitFor();

@@ -16,7 +16,7 @@ test("a dialog gives it back to what opened it, or to the menu", async () => {
     await page.getByRole("dialog").waitFor();
     await leave();
     await hasFocus(button(page, "Share"));
-    const menu = page.locator("summary[aria-label=Menu]");
+    const menu = button(page, "Menu");
     await menu.press("Enter");
     await button(page, "About Pathlight").press("Enter");
     await page.getByRole("dialog").waitFor();

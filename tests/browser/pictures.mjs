@@ -37,8 +37,8 @@ const dropped = async (page) => {
   await verdict(page);
 };
 const sheet = (number) => async (page) => {
-  await page.locator(".menu summary").click();
-  await page.locator(".menu .items button").nth(number).click();
+  await page.locator("[popovertarget]").click();
+  await page.locator("#menu .items button").nth(number).click();
 };
 const maps = (page) => page.locator(".maps button").first().waitFor();
 

@@ -120,7 +120,7 @@ test("attempts and choices are still there when the page is loaded again, and co
   await place(page, balls.missing[0]);
   await drop(page);
   await attempts(other).waitFor();
-  await page.locator("summary").click();
+  await button(page, "Menu").click();
   await button(page, "Deutsch").click();
   await button(page, "Neuer Versuch").waitFor();
   await page.reload();

@@ -74,7 +74,7 @@ test("axe finds nothing while one places, after a miss, in the menu, with the ch
     await page.getByRole("checkbox", { name: "Show every place that works" }).check();
     await page.getByText(/A ball of this size works at/).waitFor();
     await look("missed, with the check");
-    await page.locator("summary[aria-label=Menu]").click();
+    await button(page, "Menu").click();
     await look("the menu");
     await button(page, "Presentation").click();
     await look("the presentation");

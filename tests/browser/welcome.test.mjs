@@ -169,7 +169,7 @@ test("text and link are there without a picture, and it is said why there is non
 
 test("a lesson of two puzzles without the model leads from one to the other alone, and has a QR code", async () => {
   const page = await openPuzzle(session, `#task=${EASY}`, STILL);
-  await page.locator("summary[aria-label=Menu]").click();
+  await button(page, "Menu").click();
   await button(page, "Link for a lesson").click();
   const dialog = page.getByRole("dialog", { name: "Link for a lesson" });
   // A click beside its fields, within it, closes nothing.
@@ -233,7 +233,7 @@ test("home and dialogs have nothing that axe objects to, in light and dark", asy
     ["Link for a lesson", page.getByRole("img", { name: "QR code" })],
     ["About Pathlight", page.getByText("How to cite it")],
   ]) {
-    await page.locator("summary[aria-label=Menu]").click();
+    await button(page, "Menu").click();
     await button(page, item).click();
     await sign.waitFor();
     await axeFindsNothingInLightAndDark(page, item);

@@ -37,8 +37,8 @@ function nameOf(panel: Element | null | undefined): string | null | undefined {
   return panel?.getAttribute("aria-label");
 }
 
-/** An item of the menu is hidden again; return its menu, which is visible. */
+/** An item of the menu is hidden again; return the button of the menu, which precedes it. */
 function placeOf(opener: Element | null): Element | null | undefined {
-  const places = [opener, opener?.closest("details")?.querySelector("summary")];
+  const places = [opener, opener?.closest("[popover]")?.previousElementSibling];
   return places.find((place) => place?.checkVisibility() && !place.matches(":disabled"));
 }

@@ -89,9 +89,8 @@ function picker({ store }: App): View {
 function menu({ store }: App): View {
   const { state } = store;
   const { text, kept } = state;
-  return html`<details class="menu" @keydown=${closed} @focusout=${left}>
-    <summary aria-label=${text.page.menu}>${icon("menu")}</summary>
-    <div>
+  return html`<button popovertarget="menu" aria-label=${text.page.menu}>${icon("menu")}</button>
+    <div id="menu" popover>
       <div class="items">
         <button @click=${() => store.change(openDialog, "lesson")}>${text.page.titles.lesson}</button>
         ${isHome(state) ? nothing : html`<button @click=${() => store.change(present, "presentation")}>${text.page.present}</button>`}
@@ -125,18 +124,5 @@ function menu({ store }: App): View {
       <p>
         ${(["learns", "results"] as const).map((exhibit) => html`<a href=${PAGES.get(exhibit)}>${text.page[exhibit]}</a>`)}
       </p>
-    </div>
-  </details>`;
-
-  function closed(event: KeyboardEvent): void {
-    if (event.key !== "Escape") return;
-    const details = event.currentTarget as HTMLDetailsElement;
-    details.open = false;
-    details.querySelector("summary")!.focus();
-  }
-
-  function left({ currentTarget, relatedTarget }: FocusEvent): void {
-    const details = currentTarget as HTMLDetailsElement;
-    if (relatedTarget && !details.contains(relatedTarget as Node)) details.open = false;
-  }
+    </div>`;
 }
