@@ -70,6 +70,18 @@ for (const [name, url, handler, sentence] of CASES)
     session.problems.length = 0;
   });
 
+test("in Make a search says that it has no worker, and goes on with the next one", async () => {
+  const page = await session.open("");
+  await page.route(WORKER_WASM, answer(404, ""));
+  await page.goto(`${session.origin}/#task=${EASY}&panel=make`);
+  await page.getByRole("checkbox", { name: "Show every place that works" }).check();
+  await page.getByText("A file was not found on this server").waitFor();
+  await page.unroute(WORKER_WASM);
+  await button(page, "Load it again").click();
+  await page.getByText(/A ball of this size works at/).waitFor();
+  session.problems.length = 0;
+});
+
 test("what an earlier version has kept in the browser is taken over once", async () => {
   const { missing } = await known();
   const page = await session.open("");

@@ -60,6 +60,11 @@ test("a body that is dragged stays where it is dropped; the puzzle is played, an
   await says(page, /Selected: the green ball at x 200, y 100/);
   await title(page, "Two Drops, changed");
   await addressHas(page, /^#scene=[\w-]+&panel=make$/);
+  // Once everything is undone it is the task again.
+  await page.keyboard.press("Control+z");
+  await addressHas(page, /^#task=00000:058&panel=make$/);
+  await page.keyboard.press("Control+y");
+  await addressHas(page, /^#scene=[\w-]+&panel=make$/);
   await button(page, "Play it").click();
   await page.mouse.click(...(await spot(page, 128, 40)));
   await drop(page);

@@ -152,8 +152,11 @@ test("what a browser takes away comes back: the picture of the scene, and a mode
   });
   assert.equal(restored, 255);
   await page.unroute(/safetensors/);
+  // Another tab has stored a choice meanwhile.
+  await page.evaluate(() => localStorage.setItem("pathlight", '{"version":1,"language":"de"}'));
   await page.evaluate(() => dispatchEvent(new PageTransitionEvent("pageshow", { persisted: true })));
   await modelIsThere(page);
+  await button(page, "Fallen lassen").waitFor();
   assert.ok(session.problems.splice(0).every((problem) => problem.includes("safetensors")));
 });
 

@@ -144,6 +144,8 @@ test("a challenge shows nothing of the model until it is solved", async () => {
   await page.evaluate((hash) => (location.hash = hash), `#task=${EASY}&challenge=2&ball=${solving.join()}`);
   await drop(page);
   await says(page, /You win: they needed 2 balls/);
+  const attempt = page.getByRole("list", { name: "You against the model" }).getByRole("button");
+  assert.doesNotMatch((await attempt.getAttribute("aria-label")) ?? "", /Model/);
   await modelIsThere(page);
 });
 

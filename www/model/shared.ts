@@ -44,14 +44,15 @@ export class SharedModel {
   /** Loads the weights, unless they are loaded or loading. */
   async start(): Promise<void> {
     if (this.#model.kind === "loading" || this.#model.kind === "ready") return;
-    this.#tell({ kind: "loading", arrived: 0 });
     this.client.start();
     const { name, file, size, sha256 } = models.models[SETUPS.indexOf(this.#setup)]!;
     const weights = { url: this.#files.weights[file]!, size, sha256 };
     const onUpdate = (arrived: number) => this.#tell({ kind: "loading", arrived });
+    const loaded = this.client.call("load", [this.#files.wasm, weights], null, onUpdate);
+    // Whoever hears of it may ask at once: of the new worker, and after it was told to load.
+    this.#tell({ kind: "loading", arrived: 0 });
     try {
-      const card = await this.client.call("load", [this.#files.wasm, weights], null, onUpdate);
-      this.#tell({ kind: "ready", name, card });
+      this.#tell({ kind: "ready", name, card: await loaded });
     } catch (error) {
       // A crash has already been reported, and a worker that was ended has no listeners.
       if (this.#kind() === "loading") this.#tell({ kind: "failed", failure: (error as WorkerError).failure });
