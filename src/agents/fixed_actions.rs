@@ -26,11 +26,8 @@ pub(crate) fn ranked(dqn: &Dqn, scene: &Scene, attempts: usize) -> Vec<Proposal>
     let mut scored: Vec<(f32, Ball)> = dqn.logits(scene, &actions).into_iter().zip(balls).collect();
     scored.retain(|(logit, _)| logit.is_finite());
     scored.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    let proposal = |(logit, ball): (f32, Ball)| Proposal {
-        ball,
-        origin: Origin::Dqn { probability: sigmoid(logit.into()) },
-        rejected: 0,
-    };
+    let proposal =
+        |(logit, ball): (f32, Ball)| Proposal { ball, origin: Origin::Dqn { probability: sigmoid(logit.into()) } };
     scored.into_iter().take(attempts).map(proposal).collect()
 }
 

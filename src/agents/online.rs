@@ -145,7 +145,7 @@ impl Agent for OnlineAgent {
             probability: sigmoid(means[best]),
             lowered_by: (fall >= NOTICEABLE).then_some(attempt),
         };
-        Some(Proposal { ball: self.candidates[best].ball, origin, rejected: 0 })
+        Some(Proposal { ball: self.candidates[best].ball, origin })
     }
 
     fn observe(&mut self, observation: &Observation) {

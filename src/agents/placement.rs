@@ -63,12 +63,12 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     let obstacles = Obstacles::new(scene);
     let highest = map.iter().copied().fold(0.0, f32::max);
     let cells: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
-    let mut found: Vec<Proposal> = Vec::with_capacity(attempts);
+    let mut found: Vec<Proposal> = Vec::new();
     let mut tried: Vec<Action> = Vec::new();
     for _ in 0..STARTS.min(attempts) {
-        let proposal = (0..MAX_START_DRAWS).find_map(|rejected| {
+        let proposal = (0..MAX_START_DRAWS).find_map(|_| {
             let (ball, [x, y]) = improved_start(map, &obstacles, &cells, &mut rng)?;
-            is_far(ball.action(), &tried).then_some(Proposal { ball, origin: Origin::Map { x, y }, rejected })
+            is_far(ball.action(), &tried).then_some(Proposal { ball, origin: Origin::Map { x, y } })
         });
         tried.extend(proposal.iter().map(|proposal| proposal.ball.action()));
         found.extend(proposal);
@@ -78,25 +78,21 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
         (0..starts.len()).map(|start| if start == 0 { 1.0 } else { MAX_TEMPERATURE }).collect();
     for index in 0..attempts - found.len() {
         let proposal = if starts.is_empty() {
-            let mut draws = uniform_balls(&obstacles, &mut rng).enumerate();
-            draws.find(|&(_, ball)| is_new(ball, &found)).map(|(rejected, ball)| Proposal {
-                ball,
-                origin: Origin::Uniform,
-                rejected,
-            })
+            let mut draws = uniform_balls(&obstacles, &mut rng);
+            draws.find(|&ball| is_new(ball, &found)).map(|ball| Proposal { ball, origin: Origin::Uniform })
         } else {
             let start = index % starts.len();
             let (mut action, temperature) = (starts[start], &mut temperatures[start]);
-            (0..MAX_PROPOSAL_DRAWS).find_map(|rejected| {
+            (0..MAX_PROPOSAL_DRAWS).find_map(|draws| {
                 action = step(action, *temperature, &mut rng);
                 *temperature = (*temperature * WARMING).min(MAX_TEMPERATURE);
                 let ball = obstacles.place(action).ok()?;
-                let is_apart = rejected >= STEPS_APART || is_far(action, &tried);
+                let is_apart = draws >= STEPS_APART || is_far(action, &tried);
                 if !is_apart || !is_new(ball, &found) {
                     return None;
                 }
                 tried.push(action);
-                Some(Proposal { ball, origin: Origin::Perturbed { number: start + 1 }, rejected })
+                Some(Proposal { ball, origin: Origin::Perturbed { number: start + 1 } })
             })
         };
         let Some(proposal) = proposal else { break };

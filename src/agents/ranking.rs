@@ -38,7 +38,6 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let proposal = |Ranked { logit, index }| Proposal {
         ball: balls.ball(index),
         origin: Origin::Success { probability: sigmoid(logit) },
-        rejected: 0,
     };
     found.map(proposal).collect()
 }

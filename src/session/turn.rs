@@ -49,7 +49,6 @@ impl Turn {
     /// # Errors
     ///
     /// If the agent proposes an invalid ball.
-    /// If the agent proposes an invalid ball.
     pub fn attempt(&mut self) -> Result<Option<(Proposal, Rollout)>, Invalid> {
         if self.solved || self.used == MAX_ATTEMPTS {
             return Ok(None);
@@ -89,7 +88,7 @@ mod tests {
 
     impl Agent for Witness {
         fn propose(&mut self) -> Option<Proposal> {
-            self.0.pop().map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 })
+            self.0.pop().map(|ball| Proposal { ball, origin: Origin::Uniform })
         }
 
         fn observe(&mut self, observation: &Observation) {
@@ -123,7 +122,7 @@ mod tests {
     fn a_turn_ends_with_the_last_attempt_that_counts() {
         let scene = Task::load("00000:000".parse().expect("an id")).expect("a task").scene;
         let ball = Ball { x: 128.0, y: 250.0, r: 2.0 };
-        let proposal = Proposal { ball, origin: Origin::Uniform, rejected: 0 };
+        let proposal = Proposal { ball, origin: Origin::Uniform };
         let turn = |count: usize| Turn::new(scene.clone(), Box::new(vec![proposal; count].into_iter()));
         assert_eq!(turn(3).first_solved(), Ok(None));
         let mut long = turn(MAX_ATTEMPTS + 1);

@@ -177,8 +177,8 @@ export type Origin =
     | { kind: "perturbed"; number: number }
     | { kind: "uniform" };
 
-/** A ball that the model would try; `rejected`: candidates before it that are invalid or had been proposed. */
-export type Proposal = { ball: Ball; origin: Origin; rejected: number };
+/** A ball that the model would try. */
+export type Proposal = { ball: Ball; origin: Origin };
 
 /** What the dynamics net imagines for a ball. */
 export interface ImaginedBall {
