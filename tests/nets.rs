@@ -3,7 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::benchmark::folds::Setup;
-use pathlight::nets::{Card, Imagined, PathNet, SuccessNet, WeightsError};
+use pathlight::nets::{Card, Imagined, Optimiser, PathNet, SuccessCard, SuccessNet, WeightsError};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::raster::CELLS;
@@ -27,7 +27,15 @@ fn card() -> Card {
         samples: 0,
         tasks: 0,
         simulator: 0,
-        success: None,
+        success: Some(SuccessCard {
+            seed: 8,
+            epochs: 0,
+            batch: 32,
+            balls_per_scene: 256,
+            optimiser: Optimiser::Adam,
+            learning_rate: 3e-3,
+            balls: 0,
+        }),
         dynamics: None,
     }
 }
@@ -35,9 +43,13 @@ fn card() -> Card {
 /// Returns fresh weights of the paper's nets and the success net as a file, so that all implementations use the same
 /// bytes.
 fn weights() -> Vec<u8> {
+    weights_with(&card())
+}
+
+fn weights_with(card: &Card) -> Vec<u8> {
     let mut nets = PathNet::fresh(7);
     nets.success = Some(SuccessNet::fresh(8));
-    nets.save(&card()).expect("fresh weights are finite")
+    nets.save(card).expect("fresh weights are finite")
 }
 
 fn scene() -> Scene {
@@ -123,7 +135,9 @@ fn files_that_do_not_fit_are_refused() {
     let view = || safetensors::tensor::TensorView::new(safetensors::Dtype::F16, vec![2], &one).expect("two values");
     let bare = safetensors::serialize([("base.down.0.bias", view())], None).expect("a file");
     assert!(matches!(refusal(&bare), WeightsError::NoCard));
-    let metadata = [("pathlight".to_string(), serde_json::to_string(&card()).expect("JSON"))];
+    let four_nets = Card { success: None, ..card() };
+    assert!(matches!(refusal(&weights_with(&four_nets)), WeightsError::OtherNets("success net")));
+    let metadata = [("pathlight".to_string(), serde_json::to_string(&four_nets).expect("JSON"))];
     let foreign = safetensors::serialize([("base.down.0.bias", view())], Some(metadata.into())).expect("a file");
     let sentence = refusal(&foreign).to_string();
     assert!(sentence.contains("other nets"), "{sentence}");

@@ -2,10 +2,10 @@
 //! downloads.
 //!
 //! Every weight becomes a multiple of its tensor's step, a power of two that depends on the standard deviation of the
-//! tensor. Half precision holds such multiples exactly, and nearly all of them fit into a byte (`stored`). The bits
-//! that carry only noise are gone, so brotli also shrinks the file. A uniform step costs the least accuracy for the
-//! entropy that it saves: fewer bits of mantissa would keep small weights needlessly precise, and the range of a whole
-//! channel would be set by its largest weight, some ten standard deviations.
+//! tensor. Half precision holds such multiples exactly, and nearly all of them fit into a byte (`stored_parameter`).
+//! The bits that carry only noise are gone, so brotli also shrinks the file. A uniform step costs the least accuracy
+//! for the entropy that it saves: fewer bits of mantissa would keep small weights needlessly precise, and the range of
+//! a whole channel would be set by its largest weight, some ten standard deviations.
 
 use burn::module::{Module, ModuleMapper, Param};
 use burn::tensor::{Tensor, TensorData};

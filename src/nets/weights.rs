@@ -1,5 +1,5 @@
-//! Weights files: safetensors in half precision or in one byte per weight (`stored`), with a card of the training
-//! settings in the metadata.
+//! Weights files: safetensors in half precision or in one byte per weight (`stored_parameter`), with a card of the
+//! training settings in the metadata.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
 //! fit is refused, and the error names the tensor. Does no file or network I/O.
@@ -35,6 +35,8 @@ pub enum WeightsError {
     NoCard,
     #[error("the card of the weights cannot be read ({0}): they belong to other nets, or must be trained again")]
     BadCard(serde_json::Error),
+    #[error("the file and its card disagree about the {0}: download or train the weights again")]
+    OtherNets(&'static str),
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
     #[error(
@@ -61,12 +63,17 @@ impl PathNet {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes).map_err(WeightsError::NotSafetensors)?;
         let mut nets = PathNet::new(device);
-        if file.names().iter().any(|name| name.starts_with("success.")) {
-            nets.success = Some(SuccessNet::new(device));
+        let has = |net: &str| file.names().iter().any(|name| name.starts_with(net));
+        for (net, is_there, is_on_card) in [
+            ("success net", has("success."), card.success.is_some()),
+            ("dynamics net", has("dynamics."), card.dynamics.is_some()),
+        ] {
+            if is_there != is_on_card {
+                return Err(WeightsError::OtherNets(net));
+            }
         }
-        if file.names().iter().any(|name| name.starts_with("dynamics.")) {
-            nets.dynamics = Some(DynamicsNet::new(device));
-        }
+        nets.success = card.success.as_ref().map(|_| SuccessNet::new(device));
+        nets.dynamics = card.dynamics.as_ref().map(|_| DynamicsNet::new(device));
         Ok((load(nets, &file, device)?, card))
     }
 
