@@ -5,6 +5,7 @@ use std::slice;
 
 use anyhow::ensure;
 use pathlight::benchmark::folds::FoldId;
+use pathlight::command_line::weights_file::training_folder;
 use pathlight::nets::training::{PathsBatch, Sample, Schedule, Trainer};
 use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::action::{Ball, Invalid};
@@ -20,9 +21,8 @@ use rayon::prelude::*;
 use super::labelled_scenes::training_tasks;
 use super::settings::{PathsRecipe, RunSettings};
 use super::training_run::{Inputs, Plan, TrainingRun};
-use crate::data::collect::{Collected, SOLUTIONS, read_solutions};
+use crate::data::collect::{SOLUTIONS, read_solutions};
 use crate::data::solutions::Solution;
-use crate::files::weights_file::training_folder;
 use crate::progress::Progress;
 
 /// What to train.
@@ -109,20 +109,13 @@ impl Settings {
     fn solutions(&self) -> anyhow::Result<(Vec<Solution>, Card)> {
         let PathsRecipe { batch, learning_rate, decay_epochs, mirror, without_dev } = self.recipe;
         let tasks = training_tasks(self.fold, without_dev);
-        let collected = read_solutions(&self.solutions)?;
-        collected.check_complete(&self.solutions)?;
-        let Collected { solutions, simulator: version, .. } = collected;
-        let name = self.solutions.display();
-        ensure!(
-            version == simulator::VERSION,
-            "the solutions in {name} were found by simulator {version}, but this is simulator {}: collect them again",
-            simulator::VERSION
-        );
+        let solutions = read_solutions(&self.solutions)?;
         let mut chosen: Vec<Solution> =
             solutions.into_iter().filter(|solution| tasks.binary_search(&solution.task).is_ok()).collect();
         ensure!(
             !chosen.is_empty(),
-            "{name} holds no solutions of the training tasks of {}: name another file with --solutions",
+            "{} holds no solutions of the training tasks of {}: name another file with --solutions",
+            self.solutions.display(),
             self.fold
         );
         chosen.sort_by_key(|solution| solution.task);
@@ -138,7 +131,7 @@ impl Settings {
             without_dev,
             samples: chosen.len(),
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),
-            simulator: version,
+            simulator: simulator::VERSION,
             success: None,
             dynamics: None,
         };

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anyhow::ensure;
 use pathlight::puzzle::templates::TEMPLATES;
+use pathlight::simulator::VERSION;
 use serde::{Deserialize, Serialize};
 
 use crate::data::solutions::{Solution, TaskSolutions};
@@ -33,31 +34,6 @@ impl journal::Entry for TaskSolutions {
     }
 }
 
-/// The content of a `data collect` file.
-pub struct Collected {
-    pub solutions: Vec<Solution>,
-    /// Version of the simulator that found the solutions.
-    pub simulator: u32,
-    /// Number of tasks still to be searched.
-    tasks_left: usize,
-}
-
-impl Collected {
-    /// Checks that the search is complete, so that no net is trained on part of it. `path` names the file in the error.
-    ///
-    /// # Errors
-    /// If tasks are left to search.
-    pub fn check_complete(&self, path: &Path) -> anyhow::Result<()> {
-        ensure!(
-            self.tasks_left == 0,
-            "{} is not complete (tasks left: {}): finish it with `pathlight-lab data collect`",
-            path.display(),
-            self.tasks_left
-        );
-        Ok(())
-    }
-}
-
 impl CollectSettings {
     /// Number of tasks, and thus of lines, in a complete file.
     fn tasks(&self) -> usize {
@@ -66,13 +42,21 @@ impl CollectSettings {
     }
 }
 
-/// Reads a `data collect` file.
+/// Reads a complete `data collect` file.
 ///
 /// # Errors
-/// If the file is missing or damaged.
-pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
+/// If the file is missing, damaged or not complete, or if another version of the simulator found its solutions.
+pub fn read_solutions(path: &Path) -> anyhow::Result<Vec<Solution>> {
     let (settings, lines) = journal::read::<TaskSolutions>(path)?;
-    let tasks_left = settings.tasks().saturating_sub(lines.len());
-    let solutions = lines.iter().flat_map(TaskSolutions::solutions).collect();
-    Ok(Collected { solutions, simulator: settings.simulator, tasks_left })
+    let CollectSettings { simulator, .. } = settings;
+    let (name, tasks_left) = (path.display(), settings.tasks().saturating_sub(lines.len()));
+    ensure!(
+        simulator == VERSION,
+        "the solutions in {name} were found by simulator {simulator}, but this is simulator {VERSION}: collect them again"
+    );
+    ensure!(
+        tasks_left == 0,
+        "{name} is not complete (tasks left: {tasks_left}): finish it with `pathlight-lab data collect`"
+    );
+    Ok(lines.iter().flat_map(TaskSolutions::solutions).collect())
 }

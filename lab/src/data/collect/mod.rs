@@ -16,7 +16,7 @@ use crate::data::solutions::TaskSolutions;
 use crate::data::task_selection::TaskSelection;
 use crate::files::journal::Journal;
 use crate::progress::Progress;
-pub use lines::{CollectSettings, Collected, read_solutions};
+pub use lines::{CollectSettings, read_solutions};
 
 mod lines;
 
