@@ -72,6 +72,9 @@ fn temporary_file(path: &Path) -> io::Result<NamedTempFile> {
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = without_links(path)?;
     let mut part = temporary_file(&path)?;
+    if let Ok(existing) = fs::metadata(&path) {
+        part.as_file().set_permissions(existing.permissions())?;
+    }
     part.write_all(bytes)?;
     part.as_file().sync_all()?;
     part.persist(path)?;
@@ -80,7 +83,7 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
 
 #[cfg(all(test, unix))]
 mod tests {
-    use std::os::unix::fs::MetadataExt;
+    use std::os::unix::fs::{MetadataExt, PermissionsExt};
 
     use super::*;
 
@@ -111,13 +114,16 @@ mod tests {
     }
 
     #[test]
-    fn a_file_has_the_mode_of_other_new_files_and_nothing_is_left_beside_it() {
+    fn a_file_has_the_mode_of_other_new_files_or_its_own_and_nothing_is_left_beside_it() {
         let folder = tempfile::tempdir().expect("a folder");
         let [ours, other] = ["ours", "other"].map(|name| folder.path().join(name));
         fs::write(&other, b"").expect("written");
         replace_file(&ours, b"").expect("written");
         let mode = |path: &Path| fs::metadata(path).expect("a file").mode();
         assert_eq!(mode(&ours), mode(&other));
+        fs::set_permissions(&ours, PermissionsExt::from_mode(0o600)).expect("a mode");
+        replace_file(&ours, b"again").expect("written");
+        assert_eq!(mode(&ours) & 0o777, 0o600);
         fs::create_dir(folder.path().join("taken")).expect("a folder");
         replace_file(&folder.path().join("taken"), b"").expect_err("a folder is not replaced");
         check_replaceable(&folder.path().join("taken")).expect_err("a folder is not replaced");
