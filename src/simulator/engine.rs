@@ -74,7 +74,7 @@ impl Engine {
         match self {
             Engine::Box2d => simulate(scene, ball),
             #[cfg(not(target_arch = "wasm32"))]
-            Engine::Rapier => Ok(Simulation::<RapierWorld>::of(scene, ball)?.rollout()),
+            Engine::Rapier => Ok(Simulation::<RapierWorld>::new(scene, ball)?.rollout()),
         }
     }
 
@@ -86,7 +86,7 @@ impl Engine {
         match self {
             Engine::Box2d => outcome(scene, ball),
             #[cfg(not(target_arch = "wasm32"))]
-            Engine::Rapier => Ok(Simulation::<RapierWorld>::of(scene, ball)?.run()),
+            Engine::Rapier => Ok(Simulation::<RapierWorld>::new(scene, ball)?.run()),
         }
     }
 
@@ -98,7 +98,7 @@ impl Engine {
         match self {
             Engine::Box2d => digest(scene, ball),
             #[cfg(not(target_arch = "wasm32"))]
-            Engine::Rapier => Ok(Simulation::<RapierWorld>::of(scene, ball)?.digest()),
+            Engine::Rapier => Ok(Simulation::<RapierWorld>::new(scene, ball)?.digest()),
         }
     }
 }

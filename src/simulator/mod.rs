@@ -41,7 +41,7 @@ pub const VERSION: u32 = 4;
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
-    Ok(Simulation::<World>::of(scene, ball)?.rollout())
+    Ok(Simulation::<World>::new(scene, ball)?.rollout())
 }
 
 /// Simulates like `simulate`, but keeps no poses: for bulk work.
@@ -59,7 +59,7 @@ pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn outcome(scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {
-    Ok(Simulation::<World>::of(scene, ball)?.run())
+    Ok(Simulation::<World>::new(scene, ball)?.run())
 }
 
 /// Simulates like `outcome`, and keeps the sampled paths of the green object and of the ball: for labels.
@@ -67,7 +67,7 @@ pub fn outcome(scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn sampled_paths(scene: &Scene, ball: Ball) -> Result<(Outcome, SampledPaths), Invalid> {
-    Ok(Simulation::<World>::of(scene, Some(ball))?.sampled_paths())
+    Ok(Simulation::<World>::new(scene, Some(ball))?.sampled_paths())
 }
 
 /// Simulates like `outcome`, and returns the `Digest` of the rollout.
@@ -75,7 +75,7 @@ pub fn sampled_paths(scene: &Scene, ball: Ball) -> Result<(Outcome, SampledPaths
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn digest(scene: &Scene, ball: Option<Ball>) -> Result<(Outcome, Digest), Invalid> {
-    Ok(Simulation::<World>::of(scene, ball)?.digest())
+    Ok(Simulation::<World>::new(scene, ball)?.digest())
 }
 
 /// Simulates like `simulate`, and returns the touches of bodies in the order of their beginnings.
@@ -87,5 +87,5 @@ pub fn digest(scene: &Scene, ball: Option<Ball>) -> Result<(Outcome, Digest), In
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn contacts(scene: &Scene, ball: Option<Ball>) -> Result<Vec<ContactEvent>, Invalid> {
-    Ok(Simulation::<World>::of(scene, ball)?.contacts())
+    Ok(Simulation::<World>::new(scene, ball)?.contacts())
 }

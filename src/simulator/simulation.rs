@@ -82,14 +82,6 @@ pub struct Simulation<W = World> {
 }
 
 impl Simulation {
-    /// Builds the world of a scene, with or without a ball, in the first engine.
-    ///
-    /// # Errors
-    /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
-    pub fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation, Invalid> {
-        Simulation::of(scene, ball)
-    }
-
     /// Runs to the end, and returns the touches of bodies.
     pub(super) fn contacts(self) -> Vec<ContactEvent> {
         let mut log = ContactLog::default();
@@ -111,7 +103,7 @@ impl<W: EngineWorld> Simulation<W> {
     ///
     /// # Errors
     /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
-    pub fn of(scene: &Scene, ball: Option<Ball>) -> Result<Simulation<W>, Invalid> {
+    pub fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation<W>, Invalid> {
         scene.check_form()?;
         let mut world = W::default();
         for wall in walls() {
