@@ -17,8 +17,17 @@ pub fn code(result: anyhow::Result<ExitCode>) -> ExitCode {
     }
 }
 
+/// Lets a command go on whose output nobody reads any more.
+///
+/// # Errors
+///
+/// Those of the command, except a broken pipe.
+pub fn unless_broken_pipe(result: anyhow::Result<()>) -> anyhow::Result<()> {
+    result.or_else(|error| if is_broken_pipe(&error) { Ok(()) } else { Err(error) })
+}
+
 /// Returns whether the reader of the output has stopped reading.
-pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
     let kind = |cause: &(dyn std::error::Error + 'static)| match cause.downcast_ref::<serde_json::Error>() {
         Some(error) => error.io_error_kind(),
         None => cause.downcast_ref::<io::Error>().map(io::Error::kind),

@@ -1,4 +1,4 @@
-//! JSON lines in and JSON lines out: the protocol of `simulate --batch`, `verify` and `agent`.
+//! JSON lines in and JSON lines out: the protocol of `simulate --batch` and `agent`; `verify` reads the same lines.
 //!
 //! Each line that is not blank gets exactly one answer, in order. An answer has the number of its line. The answer to a
 //! line that cannot be used is `{"line":N,"error":"…"}`. A client that writes a line and waits for the answer therefore

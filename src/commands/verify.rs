@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::Context;
-use pathlight::command_line::exit::is_broken_pipe;
+use pathlight::command_line::exit::unless_broken_pipe;
 use pathlight::command_line::progress::say;
 use pathlight::verification::{AttemptLine, LineFault, Verdict};
 use rayon::prelude::*;
@@ -45,7 +45,7 @@ impl Args {
         let other = count(|verdict| matches!(verdict, Verdict::OtherOutcome { .. }));
         let not_valid = count(|verdict| matches!(verdict, Verdict::NotValid { .. }));
         // If a reader like `head` stops early, the exit code is still that of all attempts.
-        print(&verdicts).or_else(|error| if is_broken_pipe(&error) { Ok(()) } else { Err(error) })?;
+        unless_broken_pipe(print(&verdicts))?;
         say(&format!("{same} the same to the bit, {other} with another outcome, {not_valid} not valid"));
         Ok(ExitCode::from(if not_valid > 0 { 2 } else { u8::from(other > 0) }))
     }

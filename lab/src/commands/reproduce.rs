@@ -8,6 +8,7 @@ use std::time::Instant;
 use anyhow::Context;
 use clap::{Parser, ValueEnum};
 use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
+use pathlight::command_line::exit::unless_broken_pipe;
 use pathlight::command_line::fold_args::{fold, setup};
 use pathlight::command_line::replace_file::replace_file;
 use pathlight_lab::files::json_file;
@@ -104,8 +105,8 @@ impl Args {
         let result = self.results.join(&recipe.name).join(format!("{fold}.json"));
         let steps = recipes.steps(recipe, fold.setup);
         if result.exists() {
-            let is_of_today = Report::read(&result, COMMAND)?.made_by == steps;
-            let note = if is_of_today { "" } else { ", made by an earlier recipe: remove it to make it again" };
+            let is_current = Report::read(&result, COMMAND)?.made_by == steps;
+            let note = if is_current { "" } else { ", made by an earlier recipe: remove it to make it again" };
             progress.say(&format!("{} exists{note}", result.display()));
             return Ok(());
         }
@@ -123,7 +124,8 @@ impl Args {
         for (line, command) in commands.collect::<anyhow::Result<Vec<_>>>()? {
             progress.say(&format!("$ {line}"));
             let started = Instant::now();
-            command.run(progress)?;
+            // The step has written its file before its table.
+            unless_broken_pipe(command.run(progress))?;
             minutes += started.elapsed().as_secs_f64() * rayon::current_num_threads() as f64 / 60.0;
             json_file::write(Some(&spent), &minutes)?;
         }

@@ -138,7 +138,7 @@ impl Report {
     }
 
     /// Whether the report covers all test tasks of its fold.
-    pub fn is_whole(&self) -> bool {
+    pub fn is_complete(&self) -> bool {
         self.tasks_of == TaskSet::Test && self.limit.is_none()
     }
 
@@ -209,9 +209,13 @@ impl Report {
             if let Some(net) = &card.dynamics {
                 let scenes = [(net.unlisted, "unlisted tasks"), (net.random_scenes, "random scenes")];
                 let scenes = scenes.iter().filter(|(count, _)| *count > 0).map(|(count, of)| format!(", {count} {of}"));
-                let from = if net.from.is_some() { ", trained further from other weights" } else { "" };
                 let scenes: String = scenes.collect();
-                sentences.push(format!("dynamics net: {} balls{scenes}, {} epochs{from}", net.balls, net.epochs));
+                let last = format!("{} balls, {} epochs", net.balls, net.epochs);
+                sentences.push(match &net.from {
+                    None => format!("dynamics net: {last}{scenes}"),
+                    // The nets before may have learned from these scenes, and the last training not.
+                    Some(_) => format!("dynamics net{scenes}, in its last training: {last}"),
+                });
             }
         }
         sentences.extend(self.dqn.as_ref().map(|card| format!("DQN: {} balls, {} epochs", card.balls, card.epochs)));

@@ -27,7 +27,7 @@ pub trait Measurement: DeserializeOwned {
     fn card(&self) -> Option<&Card>;
 
     /// Whether the measurement covers all these test tasks, with the current agents and simulator.
-    fn is_whole(&self, test: &[TaskId]) -> bool;
+    fn is_complete(&self, test: &[TaskId]) -> bool;
 }
 
 impl Measurement for Report {
@@ -38,10 +38,10 @@ impl Measurement for Report {
         self.card.as_ref()
     }
 
-    fn is_whole(&self, test: &[TaskId]) -> bool {
+    fn is_complete(&self, test: &[TaskId]) -> bool {
         self.engine.is_first()
             && (self.simulator, self.agents_version) == (simulator::VERSION, agents::VERSION)
-            && Report::is_whole(self)
+            && Report::is_complete(self)
             && self.agents.iter().all(|score| score.first_solved.len() == test.len())
     }
 }
@@ -54,7 +54,7 @@ impl Measurement for Calibration {
         Some(&self.card)
     }
 
-    fn is_whole(&self, test: &[TaskId]) -> bool {
+    fn is_complete(&self, test: &[TaskId]) -> bool {
         (self.simulator, self.agents_version, self.tasks) == (simulator::VERSION, agents::VERSION, test.len())
     }
 }
@@ -95,7 +95,7 @@ impl Shipped<'_> {
             "{file} does not belong to the weights in {weights_name}: measure them again with `{command}`"
         );
         ensure!(
-            measured.is_whole(&fold.tasks().test),
+            measured.is_complete(&fold.tasks().test),
             "{file} does not cover all test tasks of its fold, or is of another version: measure the model again \
              with `{command}`"
         );

@@ -29,7 +29,7 @@ pub struct Results<'a> {
     /// In ascending order of folds.
     pub reports: Vec<Report>,
     /// Whether they were made by the current steps of the recipe.
-    pub is_of_today: bool,
+    pub is_current: bool,
 }
 
 impl<'a> Results<'a> {
@@ -43,8 +43,8 @@ impl<'a> Results<'a> {
             for setup in [Setup::Within, Setup::Cross] {
                 let reports = reports(&folder.join(&recipe.name), recipe, setup)?;
                 let steps = recipes.steps(recipe, setup);
-                let is_of_today = reports.first().is_none_or(|report| report.made_by == steps);
-                all.push(Results { recipe, setup, reports, is_of_today });
+                let is_current = reports.first().is_none_or(|report| report.made_by == steps);
+                all.push(Results { recipe, setup, reports, is_current });
             }
         }
         Ok(all)

@@ -26,7 +26,8 @@ pub struct Recipe {
     /// Name of the recipe and of the folder of its results.
     pub name: String,
     pub learns_from: String,
-    after: Option<String>,
+    /// The recipe whose steps, except its measurement, run first.
+    pub after: Option<String>,
     #[serde(default)]
     steps: Vec<String>,
     #[serde(default)]
@@ -85,9 +86,14 @@ impl Recipes {
         let of_setup = if setup == Setup::Within { &recipe.within } else { &recipe.cross };
         let own = recipe.steps.iter().chain(of_setup).cloned();
         let before = recipe.after.as_ref().and_then(|after| self.named(after).ok());
-        let before = before.into_iter().flat_map(|before| self.steps(before, setup));
-        before.filter(|step| !step.starts_with("measure ")).chain(own).collect()
+        let before = before.map_or(Vec::new(), |before| self.steps(before, setup));
+        without_measurements(&before).cloned().chain(own).collect()
     }
+}
+
+/// Leaves out the steps that measure.
+pub fn without_measurements(steps: &[String]) -> impl Iterator<Item = &String> {
+    steps.iter().filter(|step| !step.starts_with("measure "))
 }
 
 /// Splits a step into words and replaces its placeholders.

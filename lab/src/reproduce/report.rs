@@ -10,9 +10,8 @@ use pathlight::puzzle::templates::TEMPLATES;
 
 use super::means::{auccess_by_template, mean, mean_and_deviation};
 use super::published::{BY_TEMPLATE, PUBLISHED, Published};
-use super::recipes::Recipes;
+use super::recipes::{Recipes, without_measurements};
 use super::{COMMAND, Results};
-use crate::measure::report::score_cell;
 
 /// Two agents of a recipe, and what only the first does.
 const PAIRS: [(AgentName, AgentName, &str); 2] = [
@@ -32,7 +31,7 @@ pub fn text(folder: &Path, recipes: &Recipes) -> anyhow::Result<String> {
     table(&mut text, &setups)?;
     pairs(&mut text, &setups)?;
     by_template(&mut text, &setups)?;
-    folds(&mut text, &setups)?;
+    by_fold(&mut text, &setups)?;
     made(&mut text, &setups)?;
     Ok(text)
 }
@@ -118,7 +117,7 @@ fn pairs(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
     writeln!(
         text,
         "\n## Ablations\n\nThe difference of two agents' auccess on the same fold: mean ± standard deviation, and the \
-         number of folds on which it is positive.\n\n| recipe | difference | only the first | within | cross |\n\
+         number of folds on which it is positive.\n\n| recipe | difference | what only the first does | within | cross |\n\
          | --- | --- | --- | ---: | ---: |"
     )?;
     for results in setups {
@@ -147,8 +146,8 @@ fn by_template(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
         let names: Vec<&str> = setups.iter().map(|results| results[0].recipe.name.as_str()).collect();
         writeln!(
             text,
-            "\n## By template, {}\n\nAuccess of the first agent of each recipe over all measured tasks of a template, \
-             and of the paper's nets as published.\n\n| template | {} | published |\n| --- |{}",
+            "\n## By template, {}\n\nAuccess of the first agent of each recipe over all measured tasks of a template \
+             (RAND for *random*), and of the paper's nets as published.\n\n| template | {} | published |\n| --- |{}",
             setups[0][setup].setup,
             names.join(" | "),
             " ---: |".repeat(names.len() + 1)
@@ -165,24 +164,26 @@ fn by_template(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
     Ok(())
 }
 
-fn folds(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
-    writeln!(
-        text,
-        "\n## Each fold\n\nAuccess, and the percentage of the test tasks solved at the first attempt / within 10 / \
-         within 100.\n"
-    )?;
-    for results in setups {
-        for row in &results[0].recipe.rows {
-            let named = format!("{}: {}", results[0].recipe.name, row.player());
-            writeln!(text, "| {named} | within | cross |\n| ---: | ---: | ---: |")?;
-            for fold in 0..FOLDS {
-                let cell = |results: &Results| {
+fn by_fold(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
+    for setup in [0, 1] {
+        let numbers: Vec<String> = (0..FOLDS).map(|fold| fold.to_string()).collect();
+        writeln!(
+            text,
+            "\n## By fold, {}\n\n| recipe: agent | {} |\n| --- |{}",
+            setups[0][setup].setup,
+            numbers.join(" | "),
+            " ---: |".repeat(numbers.len())
+        )?;
+        for results in setups.iter().map(|results| &results[setup]) {
+            for row in &results.recipe.rows {
+                let cells = (0..FOLDS).map(|fold| {
                     let report = results.reports.iter().find(|report| report.fold == fold);
-                    report.and_then(|report| report.first_solved(row.player())).map_or("–".to_string(), score_cell)
-                };
-                writeln!(text, "| {fold} | {} | {} |", cell(&results[0]), cell(&results[1]))?;
+                    let firsts = report.and_then(|report| report.first_solved(row.player()));
+                    firsts.map_or("–".to_string(), |firsts| format!("{:.1}", auccess(firsts)))
+                });
+                let cells: Vec<String> = cells.collect();
+                writeln!(text, "| {}: {} | {} |", results.recipe.name, row.player(), cells.join(" | "))?;
             }
-            writeln!(text)?;
         }
     }
     Ok(())
@@ -192,19 +193,32 @@ fn folds(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
 fn made(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
     writeln!(
         text,
-        "## How the results were made\n\nThe `pathlight-lab` commands that made each row, perhaps by an earlier \
-         recipe; {{of}} stands for `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes are the median \
-         over folds and exclude work that other results share; results without them were made before they were \
-         counted."
+        "\n## How the results were made\n\nThe `pathlight-lab` commands that made each row, possibly by an earlier \
+         version of its recipe; {{of}} stands for `--setup SETUP --fold FOLD`, {{fold}} for SETUP-FOLD. Core-minutes \
+         are the median over folds and exclude work that other results share; results without them were made before \
+         they were counted."
     )?;
-    for results in setups.iter().flat_map(|results| results.iter()) {
+    let all = || setups.iter().flat_map(|results| results.iter());
+    for results in all() {
         let Some(report) = results.reports.first() else { continue };
         let mut minutes: Vec<f64> = results.reports.iter().filter_map(|report| report.core_minutes).collect();
         minutes.sort_by(f64::total_cmp);
-        let cost = minutes.get(minutes.len() / 2).map_or(String::new(), |cost| format!(", {cost:.0} core-minutes"));
+        let cost = match minutes.len() {
+            0 => String::new(),
+            count => format!(", {:.1} core-minutes", f64::midpoint(minutes[(count - 1) / 2], minutes[count / 2])),
+        };
+        let is_before = |other: &Results| results.recipe.after.as_ref() == Some(&other.recipe.name);
+        let before = all().find(|other| other.setup == results.setup && is_before(other));
+        let shared: Vec<String> = before
+            .and_then(|before| before.reports.first())
+            .map_or(Vec::new(), |report| without_measurements(&report.made_by).cloned().collect());
+        let (after, steps) = match report.made_by.strip_prefix(shared.as_slice()) {
+            Some(own) if !shared.is_empty() => (" After the data and trainings of the recipe before it:", own),
+            _ => ("", report.made_by.as_slice()),
+        };
         writeln!(
             text,
-            "\n**{}, {}**: seed {}, simulator {}, agents {}{cost}. Fold {}: {}.{}\n\n```\n{}\n```",
+            "\n**{}, {}**: seed {}, simulator {}, agents {}{cost}. Fold {}: {}.{}{after}\n\n```\n{}\n```",
             results.recipe.name,
             results.setup,
             report.seed,
@@ -216,8 +230,8 @@ fn made(text: &mut String, setups: &[&[Results]]) -> fmt::Result {
             } else {
                 report.trainings().join("; ")
             },
-            if results.is_of_today { "" } else { " The current recipe has not been run." },
-            report.made_by.join("\n")
+            if results.is_current { "" } else { " The current recipe has not been run." },
+            steps.join("\n")
         )?;
     }
     Ok(())
