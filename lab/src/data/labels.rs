@@ -125,6 +125,15 @@ impl LabelledBalls {
         self.solved.len() + self.failed.len()
     }
 
+    /// Simulates the balls again.
+    ///
+    /// # Errors
+    /// If there is no such scene.
+    pub fn tried_again(&self) -> anyhow::Result<LabelledBalls> {
+        let balls = self.solved.iter().chain(&self.failed).copied().zip(self.siblings.iter().copied());
+        Ok(LabelledBalls::new(self.scene, try_balls(&self.scene.scene()?, balls.collect())))
+    }
+
     /// Groups the balls tried in a scene by outcome.
     pub fn new(scene: SceneId, tried: Vec<Tried>) -> LabelledBalls {
         let (solved, failed): (Vec<Tried>, Vec<Tried>) = tried.into_iter().partition(|ball| ball.solved);

@@ -103,7 +103,8 @@ impl Labelled {
 /// Reads a `data label` file.
 ///
 /// # Errors
-/// If the file is missing or damaged, or was made with another version of the simulator.
+/// If the file is missing or damaged, or if its balls were tried in other scenes or by another version of the
+/// simulator.
 pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     let (settings, lines) = journal::read::<LabelledBalls>(path)?;
     let LabelSettings {
@@ -120,6 +121,14 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         path.display(),
         simulator::VERSION
     );
+    // A scene is known by its number, so its layout may have changed since.
+    if let Some(line) = lines.iter().find(|line| line.count() > 0) {
+        ensure!(
+            line.tried_again()? == *line,
+            "{} has other outcomes than this program finds: label the balls again",
+            path.display()
+        );
+    }
     Ok(Labelled {
         lines,
         training_tasks_of,
