@@ -44,8 +44,6 @@ pub trait Entry: Serialize + DeserializeOwned {
 pub struct Journal {
     path: PathBuf,
     file: File,
-    /// Offsets of the ends of the settings and of each entry found at opening, bytes.
-    ends: Vec<u64>,
 }
 
 impl Journal {
@@ -60,34 +58,23 @@ impl Journal {
         progress: &mut dyn Progress,
     ) -> anyhow::Result<(Journal, Vec<E>)> {
         let name = path.display();
-        let mut journal = Journal { path: path.to_path_buf(), file: lock(path, progress)?, ends: Vec::new() };
+        let mut journal = Journal { path: path.to_path_buf(), file: lock(path, progress)? };
         if is_cut_off_in_the_settings(&journal.file, &serde_json::to_vec(settings)?)? {
             journal.file.set_len(0).and_then(|()| journal.file.rewind()).with_context(|| journal.cannot_write())?;
             journal.append(std::slice::from_ref(settings))?;
-            journal.ends.push(journal.file.stream_position()?);
             return Ok((journal, Vec::new()));
         }
         let contents = parse::<E>(&journal.file, path)?;
         let other = differences(&contents.settings, settings);
         ensure!(other.is_empty(), "{name} has other settings ({other}): choose another file, or remove this one");
-        journal.ends = contents.ends;
-        journal.keep(contents.entries.len())?;
+        let file = &mut journal.file;
+        file.set_len(contents.end)
+            .and_then(|()| file.seek(SeekFrom::End(0)))
+            .with_context(|| journal.cannot_write())?;
         if !contents.ends_with_newline {
             journal.write(b"\n")?;
-            *journal.ends.last_mut().expect("the settings end somewhere") += 1;
         }
         Ok((journal, contents.entries))
-    }
-
-    /// Removes all entries but the first `entries`. Must be called before anything is appended.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn keep(&mut self, entries: usize) -> anyhow::Result<()> {
-        self.ends.truncate(entries + 1);
-        let end = *self.ends.last().expect("the settings end somewhere");
-        self.file.set_len(end).and_then(|()| self.file.seek(SeekFrom::End(0))).with_context(|| self.cannot_write())?;
-        Ok(())
     }
 
     /// Appends lines in one write.
@@ -136,8 +123,8 @@ fn is_cut_off_in_the_settings(mut file: &File, settings: &[u8]) -> anyhow::Resul
 pub struct Contents<E: Entry> {
     pub settings: E::Settings,
     pub entries: Vec<E>,
-    /// Same as in `Journal`.
-    ends: Vec<u64>,
+    /// Offset of the end of the last line that was read, bytes.
+    end: u64,
     /// Whether the last line read ends with a newline.
     ends_with_newline: bool,
 }
@@ -154,9 +141,9 @@ pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<
     let mut next = |number: usize, line: &mut Vec<u8>| {
         line.clear();
         let length = (&mut reader).take(MAX_LINE).read_until(b'\n', line).with_context(cannot_read)? as u64;
-        let is_whole = length < MAX_LINE || line.ends_with(b"\n");
+        let is_complete = length < MAX_LINE || line.ends_with(b"\n");
         ensure!(
-            is_whole,
+            is_complete,
             "line {number} of {name} has more than {MAX_LINE} bytes: choose a file of `pathlight-lab {command}`"
         );
         anyhow::Ok(length)
@@ -166,7 +153,7 @@ pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<
     let settings =
         settings.with_context(|| format!("{name} is not a file of `pathlight-lab {command}`: choose another file"))?;
     let ends_with_newline = line.ends_with(b"\n");
-    let mut contents = Contents { settings, entries: Vec::new(), ends: vec![length], ends_with_newline };
+    let mut contents = Contents { settings, entries: Vec::new(), end: length, ends_with_newline };
     for number in 2.. {
         let length = next(number, &mut line)?;
         if length == 0 {
@@ -182,7 +169,7 @@ pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<
             bail!("line {number} of {name} is invalid ({why}): restore the file or make it again");
         }
         contents.entries.push(entry);
-        contents.ends.push(contents.ends.last().expect("the settings end somewhere") + length);
+        contents.end += length;
         contents.ends_with_newline = ends_with_newline;
     }
     Ok(contents)
