@@ -1,4 +1,4 @@
-//! Pathlight plays PHYRE's 25 ball templates and shows the paths that four small nets imagine for them.
+//! Pathlight plays PHYRE's 25 ball templates and shows what small neural nets imagine for them.
 //!
 //! A task is a scene and a goal: the green object must touch its goal for three seconds. An action places one red ball.
 //! The simulator computes the rollout; an agent proposes balls.

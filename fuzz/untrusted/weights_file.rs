@@ -7,7 +7,7 @@ const SHIPPED: &[u8] = include_bytes!("../../assets/within-0.safetensors");
 const CHANGES: usize = 16;
 
 /// Returns the shipped file with single bytes of its head changed: groups of three bytes are the place, 16 bits, and
-/// the new value. A last single byte cuts the file off, its 256th part for each unit.
+/// the new value. A last single byte cuts the file off, its 255th part for each unit.
 pub fn changed(bytes: &[u8]) -> Vec<u8> {
     let mut file = SHIPPED.to_vec();
     let length = file.first_chunk().map_or(0, |head| u64::from_le_bytes(*head)) as usize + 8;

@@ -59,10 +59,10 @@ impl Model {
         py: Python<'py>,
         scene: &Scene,
         seed: u64,
-        count: usize,
+        count: u16,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let seed = scene.task.id.seed(seed);
-        let proposals = py.detach(|| agents::propose(&self.0, &scene.task.scene, seed, count));
+        let proposals = py.detach(|| agents::propose(&self.0, &scene.task.scene, seed, count.into()));
         let row = |proposal: &agents::Proposal| {
             [proposal.ball.x, proposal.ball.y, proposal.ball.r, proposal.chance().unwrap_or(f64::NAN)]
         };

@@ -43,14 +43,25 @@ pub struct Loaded<'a> {
     pub dqn: Option<&'a Dqn>,
 }
 
+/// What an agent needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// The paper's four nets, which every model has.
+    FourNets,
+    /// A model's success net.
+    Success,
+    /// A model's dynamics net.
+    Dynamics,
+    /// DQN, which has weights of its own.
+    Dqn,
+    /// No net.
+    Nothing,
+}
+
 /// The net that an agent needs and the weights lack.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the weights have no {net}: train one with `pathlight-lab train {command}`, or omit --agent {agent}")]
-pub struct LacksNet {
-    agent: AgentName,
-    net: &'static str,
-    command: &'static str,
-}
+#[error("the weights have no {0} net: train one with `pathlight-lab train {0}`")]
+pub struct LacksNet(&'static str);
 
 /// An agent that cannot play with a memory.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -94,24 +105,39 @@ impl AgentName {
         match self {
             AgentName::Online => "The dynamics net, which imagines what balls lead to, and learns from its attempts",
             AgentName::OnlineByBalls => {
-                "The same with balls compared by place and radius, not by the paths that they lead to; measured only if \
-                 it is named"
+                "The same with balls compared by place and radius, not by the paths that they lead to"
             }
             AgentName::Dynamics => "The dynamics net without learning from attempts",
             AgentName::Success => "The success net, which ranks the balls",
             AgentName::Paper => "The paper's four nets: balls from the placement map",
             AgentName::Dqn => "DQN, the benchmark's baseline, which ranks a fixed list of actions",
             AgentName::Listed => {
-                "The benchmark's random agent as published, RAND: PHYRE's one list of random actions for all tasks; \
-                 measured only if it is named"
+                "The benchmark's random agent as published, RAND: PHYRE's one list of random actions for all tasks"
             }
             AgentName::Random => "Uniformly random balls",
         }
     }
 
-    /// Returns whether the agent needs a model's weights. DQN has its own weights, and the random agents have none.
+    /// Returns the agent that plays for a model unless another is asked for: the best one that it has the nets for.
+    pub fn default_of(nets: &PathNet) -> AgentName {
+        let agents = [AgentName::Online, AgentName::Success, AgentName::Paper];
+        agents.into_iter().find(|agent| agent.check(nets).is_ok()).expect("every model has the four nets")
+    }
+
+    /// Returns what the agent needs.
+    pub fn needs(self) -> Needs {
+        match self {
+            AgentName::Online | AgentName::OnlineByBalls | AgentName::Dynamics => Needs::Dynamics,
+            AgentName::Success => Needs::Success,
+            AgentName::Paper => Needs::FourNets,
+            AgentName::Dqn => Needs::Dqn,
+            AgentName::Listed | AgentName::Random => Needs::Nothing,
+        }
+    }
+
+    /// Returns whether the agent needs a model's weights.
     pub fn is_of_model(self) -> bool {
-        !matches!(self, AgentName::Dqn | AgentName::Listed | AgentName::Random)
+        !matches!(self.needs(), Needs::Dqn | Needs::Nothing)
     }
 
     /// Checks that a model's weights have the net that this agent needs.
@@ -120,14 +146,11 @@ impl AgentName {
     ///
     /// If the net is missing; the error names it.
     pub fn check(self, nets: &PathNet) -> Result<(), LacksNet> {
-        let (has, net, command) = match self {
-            AgentName::Success => (nets.success.is_some(), "success net", "success"),
-            AgentName::Online | AgentName::OnlineByBalls | AgentName::Dynamics => {
-                (nets.dynamics.is_some(), "dynamics net", "dynamics")
-            }
-            AgentName::Dqn | AgentName::Paper | AgentName::Listed | AgentName::Random => return Ok(()),
-        };
-        if has { Ok(()) } else { Err(LacksNet { agent: self, net, command }) }
+        match self.needs() {
+            Needs::Success if nets.success.is_none() => Err(LacksNet("success")),
+            Needs::Dynamics if nets.dynamics.is_none() => Err(LacksNet("dynamics")),
+            _ => Ok(()),
+        }
     }
 
     /// Checks that this agent can play with a memory.

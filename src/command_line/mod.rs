@@ -8,3 +8,4 @@ pub mod fold_args;
 pub mod progress;
 pub mod replace_file;
 pub mod template_arg;
+pub mod weights_file;

@@ -14,13 +14,12 @@ mod agent;
 mod custom_scene_file;
 mod input;
 mod json_lines;
-mod model_args;
 mod propose;
 mod simulate;
 mod tasks;
 mod verify;
 
-/// Physics puzzles, and the paths that four small nets imagine for them.
+/// Physics puzzles, and what small neural nets imagine for them.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct CommandLine {

@@ -5,10 +5,12 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use pathlight::agents;
+use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::command_line::fold_args::FoldArgs;
 use pathlight::command_line::progress::Progress;
 use pathlight::command_line::replace_file::{check_replaceable, replace_file};
+use pathlight::command_line::weights_file::ModelFile;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::session::puzzle::Puzzle;
@@ -16,7 +18,6 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::custom_scene_file;
-use super::model_args::ModelArgs;
 
 /// Write the model's proposals as JSON lines, best first, without simulating
 #[derive(clap::Args)]
@@ -44,8 +45,9 @@ pub struct Args {
     #[arg(long, default_value = "-")]
     out: PathBuf,
 
-    #[command(flatten)]
-    model: ModelArgs,
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long, value_name = "FILE")]
+    weights: Option<PathBuf>,
 }
 
 /// A line of output: the valid balls of a task, px, best first.
@@ -64,7 +66,8 @@ impl Args {
         if !to_stdout {
             check_replaceable(&self.out)?;
         }
-        let nets = self.model.load(fold)?;
+        let model = ModelFile::read(self.weights.as_deref(), fold)?;
+        model.check(AgentName::default_of(&model.nets), fold)?;
         let custom = self.scene.as_deref().map(custom_scene_file::read).transpose()?;
         let tasks = if custom.is_some() {
             Vec::new()
@@ -77,7 +80,7 @@ impl Args {
         let (mut stdout, mut file) = (io::stdout().lock(), Vec::new());
         let out: &mut dyn Write = if to_stdout { &mut stdout } else { &mut file };
         let proposals = |Puzzle { id, scene, .. }: Puzzle| {
-            let proposals = agents::propose(&nets, &scene, id.seed(self.seed), self.attempts.into());
+            let proposals = agents::propose(&model.nets, &scene, id.seed(self.seed), self.attempts.into());
             TaskProposals { task: id.task(), balls: proposals.into_iter().map(|proposal| proposal.ball).collect() }
         };
         if let Some(puzzle) = custom {

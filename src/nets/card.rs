@@ -156,6 +156,13 @@ pub enum LearnedFrom {
     Tasks,
 }
 
+impl DynamicsCard {
+    /// Returns whether the net has seen dev tasks of its fold.
+    pub fn has_seen_dev(&self) -> bool {
+        self.learned_from == LearnedFrom::Tasks && !self.without_dev
+    }
+}
+
 impl LearnedFrom {
     /// Whether such a net has seen nothing that any fold of this setup tests on, so that one net serves all its folds.
     pub fn serves_all_folds(self, setup: Setup) -> bool {

@@ -33,6 +33,11 @@ fn balls_are_proposed_and_weights_refused_on_folds_they_may_have_seen() {
 
     let weights = "assets/within-0.safetensors";
     assert_refused(&["propose", "--weights", weights, "--fold", "1"], "trained on within 0");
+    // The dynamics net of this model has seen no task, but its other nets belong to fold 0.
+    let of_random_scenes = ["--weights", "assets/cross-0.safetensors", "--setup", "cross", "--fold", "1"];
+    let proposed = output_of(&[&["propose", "--task", "00000:000"], &of_random_scenes[..]].concat());
+    assert!(proposed.starts_with("{\"task\":"), "{proposed}");
+    assert_refused(&[&["agent", "--agent", "paper"], &of_random_scenes[..]].concat(), "trained on cross 0");
     let missing = folder.path().join("none.safetensors").display().to_string();
-    assert_refused(&["propose", "--weights", &missing], "`pathlight-lab train paths` has written");
+    assert_refused(&["propose", "--weights", &missing], "a file from `pathlight-lab train`");
 }

@@ -131,7 +131,7 @@ pub struct Forecasts {
 
     /// Random balls per scene, in addition to solutions
     #[arg(long, value_name = "N", default_value_t = forecasts::Settings::default().balls)]
-    balls: usize,
+    balls: u16,
 
     /// Solutions from `data collect`
     #[arg(long, default_value = SOLUTIONS)]

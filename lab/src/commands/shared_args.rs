@@ -34,7 +34,7 @@ pub struct RunArgs {
     pub batch: u16,
 
     /// Peak learning rate
-    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate, value_parser = learning_rate)]
+    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate, value_parser = positive)]
     pub learning_rate: f64,
 
     /// Batches between checkpoints, and between lines of losses.csv
@@ -72,10 +72,10 @@ impl From<RunArgs> for RunSettings {
     }
 }
 
-/// Parses a learning rate. Zero is refused because nothing would be learned.
-fn learning_rate(text: &str) -> Result<f64, String> {
-    let rate = text.parse::<f64>().ok().filter(|rate| rate.is_finite() && *rate > 0.0);
-    rate.ok_or_else(|| "give a number above 0, like 0.001".to_string())
+/// Parses a learning rate or a weight. With zero, nothing would be learned.
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| "give a number above 0, like 0.001".to_string())
 }
 
 /// The name of an optimiser.
@@ -100,23 +100,16 @@ impl From<OptimiserName> for Optimiser {
 #[derive(clap::Args)]
 pub struct PathWeightsArgs {
     /// Weight of the paths in the loss
-    #[arg(long, value_name = "W", default_value_t = PathWeights::default().all, value_parser = weight)]
+    #[arg(long, value_name = "W", default_value_t = PathWeights::default().all, value_parser = positive)]
     path_weight: f64,
 
     /// Weight of the paths of balls that solve, relative to those of other balls
-    #[arg(long, value_name = "W", default_value_t = PathWeights::default().solving, value_parser = weight)]
+    #[arg(long, value_name = "W", default_value_t = PathWeights::default().solving, value_parser = positive)]
     solving_path_weight: f64,
 }
 
 impl From<PathWeightsArgs> for PathWeights {
     fn from(args: PathWeightsArgs) -> PathWeights {
         PathWeights { all: args.path_weight, solving: args.solving_path_weight }
-    }
-}
-
-fn weight(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(weight) if weight > 0.0 && weight < f64::INFINITY => Ok(weight),
-        _ => Err("give a number above 0".into()),
     }
 }

@@ -7,6 +7,7 @@ use pathlight::agents::agent_name::{AgentName, Loaded};
 use pathlight::agents::{Origin, Proposal};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::colour::imagined_maps::ImaginedMap;
+use pathlight::command_line::weights_file::ModelFile;
 use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::rollout::{Rollout, STEPS_PER_SECOND};
 use pathlight::puzzle::sampled_paths::{SampledPath, SampledPaths};
@@ -22,7 +23,6 @@ use svg::node::element::{Definitions, Group, Use};
 use super::picture::{Anchor, Figure, MUTED, words};
 use super::scene_drawing::{self, LineStyle, ball_outline, hatch, map, path, positions, window};
 use super::shipped_folds;
-use crate::files::weights_file::load_nets;
 use crate::measure::report::Report;
 use crate::measure::shipped::Shipped;
 
@@ -83,14 +83,15 @@ pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
     for fold in shipped_folds() {
         let (report, _) = shipped.read::<Report>(&fold.to_string())?;
         let weights = shipped.assets.join(format!("{fold}.safetensors"));
-        let (nets, _) = load_nets(Some(&weights), fold)?;
+        let model = ModelFile::read(Some(&weights), fold)?;
+        model.check(AgentName::Online, fold)?;
         let firsts = report.first_solved(AgentName::Online).context("the evaluation lacks the online agent")?;
         let chosen = CHOICE.into_iter().filter_map(|(rule, note)| {
             let task = report.tasks().into_iter().zip(firsts).find(|&(_, &first)| rule(first));
             task.map(|(task, &first)| (task, first, note))
         });
         for (task, first, note) in chosen {
-            let strip = Strip::play(&nets, report.seed, task, first, note)?;
+            let strip = Strip::play(&model.nets, report.seed, task, first, note)?;
             let id = format!("scene-{count}");
             definitions = definitions.add(scene_drawing::scene(&strip.task.scene).set("id", id.as_str()));
             let (drawn, sentence) = strip.draw(&format!("{}, fold {}", fold.setup, fold.fold), count, &id)?;
@@ -128,7 +129,6 @@ impl Strip {
         let task = Task::load(id)?;
         let scene = &task.scene;
         let agent = AgentName::Online;
-        agent.check(nets)?;
         let loaded = Loaded { nets: Some(nets), dqn: None };
         let mut turn = Turn::new(scene.clone(), agent.start(loaded, scene, id.seed(seed), MAX_ATTEMPTS));
         let (mut shown, mut attempts, mut solved) = (None, 0, false);

@@ -1,4 +1,4 @@
-//! Files: journals that can be continued, JSON and weights.
+//! Files: journals that can be continued, and JSON.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,6 @@ pub mod differences;
 pub mod file_lock;
 pub mod journal;
 pub mod json_file;
-pub mod weights_file;
 
 /// Returns the SHA-256 of a file, in hexadecimal.
 ///

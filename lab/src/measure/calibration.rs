@@ -6,10 +6,11 @@
 use std::fmt::{self, Write as _};
 use std::path::PathBuf;
 
-use anyhow::Context;
+use pathlight::agents::agent_name::AgentName;
 use pathlight::agents::imagined_candidates::imagined_candidates;
 use pathlight::agents::{self, sigmoid};
 use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::command_line::weights_file::ModelFile;
 use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::action::{Ball, Obstacles};
 use pathlight::puzzle::sampling::uniform_ball;
@@ -21,7 +22,6 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::task_set::TaskSet;
-use crate::files::weights_file::load_nets;
 
 /// Bins of equal width in which chances are counted.
 const BINS: usize = 10;
@@ -77,16 +77,19 @@ pub struct Bin {
 /// The predicted chance of a ball, 0..=1, and whether the ball solves.
 type Trial = (f64, bool);
 
+const CHECKED: &str = "measure has checked that there is a dynamics net";
+
 impl Settings {
     /// Measures the calibration.
     ///
     /// # Errors
     /// If the weights cannot be used.
     pub fn measure(&self) -> anyhow::Result<Calibration> {
-        let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
+        let model = ModelFile::read(self.weights.as_deref(), self.fold)?;
+        model.check(AgentName::Dynamics, self.fold)?;
         let tasks = TaskSet::Test.tasks(self.fold, self.limit);
         let trials: Vec<[Vec<Trial>; 2]> =
-            tasks.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
+            tasks.par_iter().map(|&id| self.trials(&model.nets, id)).collect::<anyhow::Result<_>>()?;
         let [random, candidates] = [0, 1].map(|kind| bins(trials.iter().flat_map(|of_task| &of_task[kind])));
         Ok(Calibration {
             setup: self.fold.setup,
@@ -94,7 +97,7 @@ impl Settings {
             seed: self.seed,
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
-            card,
+            card: model.card,
             tasks: tasks.len(),
             random,
             candidates,
@@ -109,11 +112,10 @@ impl Settings {
         let obstacles = Obstacles::new(&scene);
         let random: Vec<Ball> =
             std::iter::repeat_with(|| uniform_ball(&obstacles, &mut rng)).map_while(|ball| ball).take(count).collect();
-        let lacking = "the weights have no dynamics net: train one with `pathlight-lab train dynamics`";
-        let read = nets.read(&scene).context(lacking)?;
+        let read = nets.read(&scene).expect(CHECKED);
         let imagined = read.imagine(&random);
         let chances = random.iter().zip(imagined).map(|(&ball, imagined)| (ball, f64::from(imagined.logit)));
-        let mut candidates = imagined_candidates(nets, &scene, count).context(lacking)?;
+        let mut candidates = imagined_candidates(nets, &scene, count).expect(CHECKED);
         candidates.sort_by(|a, b| b.logit.total_cmp(&a.logit));
         let every = candidates.iter().step_by((candidates.len() / count).max(1)).take(count);
         let considered: Vec<(Ball, f64)> = every.map(|candidate| (candidate.ball, candidate.logit)).collect();

@@ -5,22 +5,21 @@
 
 use std::path::PathBuf;
 
-use anyhow::Context;
 use pathlight::agents::agent_name::{AgentName, Loaded};
 use pathlight::agents::{self, Agent};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::FoldId;
+use pathlight::command_line::weights_file::{ModelFile, read_dqn};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::session::turn::Turn;
 use pathlight::simulator::Engine;
 use rayon::prelude::*;
 
-use super::agents::{Weights, row};
+use super::agents::row;
 use super::report::{Order, Player, Report, Score};
 use super::task_set::TaskSet;
 use super::with_memory;
-use crate::files::weights_file::{load_dqn, load_nets_for_dynamics};
 use crate::progress::Progress;
 
 /// What to measure.
@@ -66,34 +65,19 @@ impl Settings {
             made_by: Vec::new(),
             core_minutes: None,
         };
-        let (mut nets, mut is_of_fold) = (None, true);
+        let (mut nets, mut of_model) = (None, Vec::new());
         if AgentName::ALL.into_iter().any(|agent| agent.is_of_model() && self.measures(agent)) {
-            let (loaded, mut card) = load_nets_for_dynamics(self.weights.as_deref(), self.fold)?;
-            // The dynamics net may have seen no task, while the other nets belong to another fold.
-            is_of_fold = card.fold_id() == self.fold;
-            for agent in AgentName::ALL.into_iter().filter(|&agent| self.measures(agent)) {
-                match row(agent).weights {
-                    Weights::Success | Weights::Paths if !self.agents.is_empty() => {
-                        card.fold_id().check(self.fold).with_context(|| format!("cannot measure {agent}"))?;
-                        self.tasks.check(card.without_dev, "paths")?;
-                    }
-                    Weights::Dynamics => self.tasks.check_dynamics(&card)?,
-                    Weights::Success | Weights::Paths => self.tasks.check(card.without_dev, "paths")?,
-                    Weights::Dqn | Weights::None => {}
-                }
-            }
-            for agent in &self.agents {
-                agent.check(&loaded)?;
-            }
+            let model = ModelFile::read(self.weights.as_deref(), self.fold)?;
+            of_model = self.playable(&model)?;
+            let mut card = model.card;
             if !self.measures(AgentName::Success) {
                 card.success = None;
             }
-            report.card = Some(card);
-            nets = Some(loaded);
+            (report.card, nets) = (Some(card), Some(model.nets));
         }
         let mut dqn = None;
         if self.agents.contains(&AgentName::Dqn) || self.dqn.is_some() {
-            let (loaded, card) = load_dqn(self.dqn.as_deref(), self.fold)?;
+            let (loaded, card) = read_dqn(self.dqn.as_deref(), self.fold)?;
             self.tasks.check(card.without_dev, "dqn")?;
             report.dqn = Some(card);
             dqn = Some(loaded);
@@ -104,11 +88,7 @@ impl Settings {
                 AgentName::Random => true,
                 AgentName::Listed => self.measures(agent),
                 AgentName::Dqn => loaded.dqn.is_some(),
-                of_model => {
-                    self.measures(of_model)
-                        && loaded.nets.is_some_and(|nets| of_model.check(nets).is_ok())
-                        && (is_of_fold || row(of_model).weights == Weights::Dynamics)
-                }
+                agent => of_model.contains(&agent),
             };
             if is_measured {
                 let start =
@@ -127,6 +107,25 @@ impl Settings {
             }
         }
         Ok(report)
+    }
+
+    /// Returns the agents to measure that a model has the nets for, none of which has seen the tasks. If agents are
+    /// named, it must have the nets for all of them.
+    fn playable(&self, model: &ModelFile) -> anyhow::Result<Vec<AgentName>> {
+        let (mut playable, mut refused) = (Vec::new(), Ok(()));
+        for agent in AgentName::ALL.into_iter().filter(|&agent| agent.is_of_model() && self.measures(agent)) {
+            match model.check(agent, self.fold) {
+                Ok(()) => {
+                    self.tasks.check_model(agent, &model.card)?;
+                    playable.push(agent);
+                }
+                error => refused = refused.and(error),
+            }
+        }
+        if playable.is_empty() || !self.agents.is_empty() {
+            refused?;
+        }
+        Ok(playable)
     }
 
     /// Whether the settings ask for an agent.

@@ -10,8 +10,10 @@ use std::fmt::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::Context;
+use pathlight::agents::agent_name::AgentName;
 use pathlight::agents::sigmoid;
 use pathlight::benchmark::folds::FoldId;
+use pathlight::command_line::weights_file::ModelFile;
 use pathlight::nets::PathNet;
 use pathlight::puzzle::action::{Ball, Obstacles};
 use pathlight::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
@@ -29,7 +31,6 @@ use super::measured_scenes::MeasuredScenes;
 use super::task_set::TaskSet;
 use crate::data::collect::{SOLUTIONS, read_solutions};
 use crate::data::scene_id::SceneId;
-use crate::files::weights_file::load_nets;
 
 /// Samples whose distances are printed: after 1, 3 and 6.7 s, and at the end.
 const PRINTED: [usize; 4] = [3, 8, 12, SAMPLES - 1];
@@ -43,7 +44,7 @@ pub struct Settings {
     pub fold: FoldId,
     pub scenes: MeasuredScenes,
     /// Random balls per scene, in addition to solutions.
-    pub balls: usize,
+    pub balls: u16,
     /// Known solutions.
     pub solutions: PathBuf,
     /// Use only the first N test tasks per template.
@@ -85,18 +86,16 @@ impl Settings {
     /// # Errors
     /// If the weights or the solutions cannot be used.
     pub fn measure(&self) -> anyhow::Result<String> {
-        let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
-        self.scenes.check(&card)?;
-        nets.dynamics
-            .as_ref()
-            .context("the weights have no dynamics net: train one with `pathlight-lab train dynamics`")?;
+        let model = ModelFile::read(self.weights.as_deref(), self.fold)?;
+        model.check(AgentName::Dynamics, self.fold)?;
+        self.scenes.check(&model.card)?;
         let mut solutions: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
-        for solution in read_solutions(&self.solutions)?.solutions {
+        for solution in read_solutions(&self.solutions)? {
             solutions.entry(solution.task).or_default().push(solution.ball);
         }
         let scenes = self.scenes.ids(self.fold, self.limit);
         let of_scenes: Vec<Vec<Forecast>> =
-            scenes.par_iter().map(|&id| self.forecasts(&nets, id, &solutions)).collect::<anyhow::Result<_>>()?;
+            scenes.par_iter().map(|&id| self.forecasts(&model.nets, id, &solutions)).collect::<anyhow::Result<_>>()?;
         Ok(self.table(scenes.len(), &of_scenes.iter().flatten().collect::<Vec<_>>())?)
     }
 
@@ -168,7 +167,7 @@ impl Settings {
         let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
         let obstacles = Obstacles::new(&scene);
         let mut random = std::iter::repeat_with(|| uniform_ball(&obstacles, &mut rng)).map_while(|ball| ball);
-        let mut balls: Vec<Ball> = random.by_ref().take(self.balls).collect();
+        let mut balls: Vec<Ball> = random.by_ref().take(self.balls.into()).collect();
         let solutions: Vec<Ball> = match id {
             SceneId::Task(task) => known.get(&task).cloned().unwrap_or_default(),
             SceneId::Unlisted(..) | SceneId::Random(_) => {

@@ -1,5 +1,6 @@
 //! The scenes that forecasts are measured on: tasks of the benchmark, or scenes that no net has seen.
 
+use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::Card;
 
@@ -29,7 +30,7 @@ impl MeasuredScenes {
     /// # Errors
     /// If it may have seen them.
     pub fn check(self, card: &Card) -> anyhow::Result<()> {
-        if let MeasuredScenes::Tasks(tasks) = self { tasks.check_dynamics(card) } else { Ok(()) }
+        if let MeasuredScenes::Tasks(tasks) = self { tasks.check_model(AgentName::Dynamics, card) } else { Ok(()) }
     }
 
     /// Noun for the scenes, to follow their number.

@@ -1,8 +1,9 @@
 //! The sets of tasks that agents attempt.
 
 use anyhow::ensure;
+use pathlight::agents::agent_name::{AgentName, Needs};
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::{Card, LearnedFrom};
+use pathlight::nets::Card;
 use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Serialize};
 
@@ -55,14 +56,14 @@ impl TaskSet {
         Ok(())
     }
 
-    /// Checks that the dynamics net of a model, if it has one, has seen none of the tasks.
+    /// The same for the nets of a model that an agent needs.
     ///
     /// # Errors
-    /// If it may have seen one.
-    pub fn check_dynamics(self, card: &Card) -> anyhow::Result<()> {
-        let dynamics = card.dynamics.as_ref();
-        let without_dev =
-            dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.learned_from != LearnedFrom::Tasks);
-        self.check(without_dev, "dynamics")
+    /// If they were trained on the dev tasks too.
+    pub fn check_model(self, agent: AgentName, card: &Card) -> anyhow::Result<()> {
+        match (agent.needs(), &card.dynamics) {
+            (Needs::Dynamics, Some(dynamics)) => self.check(!dynamics.has_seen_dev(), "dynamics"),
+            _ => self.check(card.without_dev, "paths"),
+        }
     }
 }

@@ -6,6 +6,7 @@
 use std::path::PathBuf;
 
 use pathlight::benchmark::folds::FoldId;
+use pathlight::command_line::weights_file::training_folder;
 use pathlight::nets::training::{DqnBatch, Trainer};
 use pathlight::nets::{Dqn, DqnCard};
 use pathlight::raster::scene_coverage;
@@ -14,7 +15,6 @@ use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::{LabelsRecipe, RunSettings};
 use super::training_run::{Inputs, TrainingRun};
 use crate::data::label::LABELS;
-use crate::files::weights_file::training_folder;
 use crate::progress::Progress;
 
 /// What to train.

@@ -6,8 +6,10 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
+use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::FoldId;
+use pathlight::command_line::weights_file::{ModelFile, training_folder};
 use pathlight::nets::training::{DynamicsBatch, Trainer};
 use pathlight::nets::{DynamicsCard, DynamicsNet, LearnedFrom, Optimiser, PathWeights};
 use pathlight::raster::scene_coverage;
@@ -16,8 +18,6 @@ use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::RunSettings;
 use super::training_run::{Inputs, TrainingRun};
 use crate::data::label::LABELS;
-use crate::files::digest;
-use crate::files::weights_file::{load_nets, load_nets_of_any_fold, training_folder, weights_path};
 use crate::progress::Progress;
 
 /// What to train.
@@ -94,12 +94,13 @@ impl Settings {
             "the net cannot learn the paths of {imagined_per_scene} of {balls_per_scene} balls: lower \
              --imagined-per-scene, or raise --balls-per-scene"
         );
-        let weights = weights_path(self.weights.as_deref(), self.fold);
-        let (mut nets, mut card) = load_nets(Some(&weights), self.fold)?;
+        let model = ModelFile::read(self.weights.as_deref(), self.fold)?;
+        model.check(AgentName::Paper, self.fold)?;
+        let ModelFile { mut nets, mut card, digest, .. } = model;
         let without_dev = self.without_dev || card.without_dev;
         let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
-        let from = self.from.as_deref().map(|path| self.dynamics_of(path, without_dev)).transpose()?;
-        let before = from.as_ref().map(|(_, card)| card);
+        let from = self.from.as_deref().map(|path| self.started_from(path, without_dev)).transpose()?;
+        let before = from.as_ref().and_then(|from| from.card.dynamics.as_ref());
         let began_with = before.map_or(LearnedFrom::RandomScenes, |card| card.learned_from);
         let (unlisted, random_scenes) = before.map_or((0, 0), |card| (card.unlisted, card.random_scenes));
         card.success = None;
@@ -117,16 +118,16 @@ impl Settings {
             random_scenes: scenes.random().max(random_scenes),
             learned_from: scenes.learned_from().max(began_with),
             without_dev,
-            from: self.from.as_deref().map(digest).transpose()?,
+            from: from.as_ref().map(|from| from.digest.clone()),
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
-        let trainer = match from {
-            Some((net, _)) => Trainer::from_nets(net),
+        let trainer = match from.and_then(|from| from.nets.dynamics) {
+            Some(net) => Trainer::from_nets(net),
             None => Trainer::<DynamicsNet>::new(self.run.seed),
         };
         let trainer = trainer.with_optimiser(optimiser);
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
-        let inputs = Inputs::of(&self.labels)?.added_to(&weights)?;
+        let inputs = Inputs::of(&self.labels)?.added_to(digest);
         let mut run = TrainingRun::open(folder, card, inputs, &losses, trainer, progress)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
@@ -143,24 +144,16 @@ impl Settings {
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 
-    /// Loads the dynamics net of a weights file, which must belong to this fold unless the net serves all folds. With
-    /// `without_dev`, the net must not have been trained on the dev tasks.
-    fn dynamics_of(&self, path: &Path, without_dev: bool) -> anyhow::Result<(DynamicsNet, DynamicsCard)> {
-        let name = path.display();
-        let (nets, card) = load_nets_of_any_fold(path)?;
-        let trained_on = card.fold_id();
-        let trained = nets.dynamics.zip(card.dynamics);
-        let (net, card) = trained
-            .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
-        if !card.learned_from.serves_all_folds(self.fold.setup) {
-            trained_on.check(self.fold).with_context(|| format!("cannot use {name}"))?;
-            ensure!(
-                card.without_dev || !without_dev,
-                "{name} was trained on dev tasks: name weights trained with --without-dev, or train all nets on dev \
-                 tasks"
-            );
-        }
-        Ok((net, card))
+    /// Reads the weights to start from. With `without_dev`, the dynamics net must not have been trained on dev tasks.
+    fn started_from(&self, path: &Path, without_dev: bool) -> anyhow::Result<ModelFile> {
+        let model = ModelFile::read(Some(path), self.fold)?;
+        model.check(AgentName::Dynamics, self.fold)?;
+        ensure!(
+            !(without_dev && model.card.dynamics.as_ref().is_some_and(DynamicsCard::has_seen_dev)),
+            "{} was trained on dev tasks: name weights trained with --without-dev, or train all nets on dev tasks",
+            path.display()
+        );
+        Ok(model)
     }
 
     /// Makes a batch of the run, by its number.

@@ -6,7 +6,9 @@
 use std::path::PathBuf;
 use std::slice;
 
+use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::FoldId;
+use pathlight::command_line::weights_file::{ModelFile, training_folder};
 use pathlight::nets::training::{SuccessBatch, Trainer};
 use pathlight::nets::{SuccessCard, SuccessNet};
 use pathlight::raster::scene_coverage;
@@ -15,7 +17,6 @@ use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::{LabelsRecipe, RunSettings};
 use super::training_run::{Inputs, TrainingRun};
 use crate::data::label::LABELS;
-use crate::files::weights_file::{load_nets, training_folder, weights_path};
 use crate::progress::Progress;
 
 /// What to train.
@@ -52,8 +53,9 @@ impl Settings {
     /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
         let LabelsRecipe { batch, optimiser, learning_rate, balls_per_scene } = self.recipe;
-        let weights = weights_path(self.weights.as_deref(), self.fold);
-        let (mut nets, mut card) = load_nets(Some(&weights), self.fold)?;
+        let model = ModelFile::read(self.weights.as_deref(), self.fold)?;
+        model.check(AgentName::Paper, self.fold)?;
+        let ModelFile { mut nets, mut card, digest, .. } = model;
         let scenes = LabelledScenes::read(slice::from_ref(&self.labels), self.fold, card.without_dev)?.of_tasks()?;
         card.dynamics = None;
         card.success = Some(SuccessCard {
@@ -67,7 +69,7 @@ impl Settings {
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("success"));
         let trainer = Trainer::<SuccessNet>::new(self.run.seed).with_optimiser(optimiser);
-        let inputs = Inputs::of(slice::from_ref(&self.labels))?.added_to(&weights)?;
+        let inputs = Inputs::of(slice::from_ref(&self.labels))?.added_to(digest);
         let mut run = TrainingRun::open(folder, card, inputs, &["success"], trainer, progress)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),

@@ -171,10 +171,7 @@ fn weights_are_published_and_refused_on_folds_they_may_have_seen() {
     assert_refused(&twice, "a second file of weights of within, fold 0");
     assert_refused(&["measure", "evaluate", "--weights", &weights, "--setup", "cross"], "trained on within 0");
     let missing = text(&folder.path().join("none.safetensors"));
-    assert_refused(
-        &["measure", "evaluate", "--weights", &missing],
-        "train nets with `pathlight-lab train`, or name another file",
-    );
+    assert_refused(&["measure", "evaluate", "--weights", &missing], "name a file from `pathlight-lab train`");
 }
 
 #[test]

@@ -107,9 +107,9 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
         assert_refused(&["train", net, "--epochs", "0"], "--epochs");
     }
     let without = without_dynamics(folder.path());
-    assert_refused(&["train", "dynamics", "--from", &without, "--labels", &labels], "has no dynamics net");
+    assert_refused(&["train", "dynamics", "--from", &without, "--labels", &labels], "have no dynamics net");
     let label = ["data", "label", "--out", &file("refused.jsonl"), "--fold", "0", "--weights"];
-    assert_refused(&[&label[..], &[&without, "--setup", "within"]].concat(), "has no dynamics net");
+    assert_refused(&[&label[..], &[&without, "--setup", "within"]].concat(), "have no dynamics net");
     assert_refused(&[&label[..], &[&from, "--setup", "cross"]].concat(), "were trained on within 0");
     let cross = ["train", "dynamics", "--setup", "cross", "--labels", &proposed];
     assert_refused(&cross, "holds balls of the training tasks of within 0 only");

@@ -7,12 +7,12 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
-use pathlight::agents::agent_name::AgentName;
+use pathlight::agents::agent_name::{AgentName, Needs};
 use pathlight::command_line::agent_arg::agent;
 use pathlight::command_line::fold_args::FoldArgs;
+use pathlight::command_line::weights_file::{ModelFile, read_dqn};
 
 use super::json_lines::{Lines, Numbered, Refusal};
-use super::model_args::{DqnArgs, ModelArgs};
 use lines::{Line, MAX_LINE};
 use memory_file::MemoryFile;
 use player::Player;
@@ -50,11 +50,14 @@ pub struct Args {
     #[arg(long, default_value_t = 0)]
     seed: u64,
 
-    #[command(flatten)]
-    model: ModelArgs,
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long, value_name = "FILE")]
+    weights: Option<PathBuf>,
 
-    #[command(flatten)]
-    dqn: DqnArgs,
+    /// Weights of DQN, the benchmark's baseline [default for --agent dqn:
+    /// target/train/SETUP-FOLD/dqn/weights.safetensors]
+    #[arg(long, value_name = "FILE")]
+    dqn: Option<PathBuf>,
 
     /// Keep what puzzles with "remember" teach in this file, and begin with what it holds; one process at a time can
     /// use it, which FILE.lock ensures
@@ -65,22 +68,20 @@ pub struct Args {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let fold = self.fold.into();
-        let mut weights = None;
-        let (agent, nets, dqn) = if let Some(agent @ (AgentName::Listed | AgentName::Random)) = self.agent {
-            (agent, None, None)
-        } else if self.agent == Some(AgentName::Dqn) {
-            (AgentName::Dqn, None, Some(self.dqn.load(fold)?))
-        } else {
-            let (nets, digest) = self.model.load_with_digest(fold)?;
-            weights = Some(digest);
-            let default = match (&nets.dynamics, &nets.success) {
-                (Some(_), _) => AgentName::Online,
-                (None, Some(_)) => AgentName::Success,
-                (None, None) => AgentName::Paper,
-            };
-            let agent = self.agent.unwrap_or(default);
-            agent.check(&nets)?;
-            (agent, Some(nets), None)
+        let (mut weights, mut nets, mut dqn) = (None, None, None);
+        let agent = match self.agent {
+            Some(agent) if agent.needs() == Needs::Nothing => agent,
+            Some(AgentName::Dqn) => {
+                dqn = Some(read_dqn(self.dqn.as_deref(), fold)?.0);
+                AgentName::Dqn
+            }
+            named => {
+                let model = ModelFile::read(self.weights.as_deref(), fold)?;
+                let agent = named.unwrap_or_else(|| AgentName::default_of(&model.nets));
+                model.check(agent, fold)?;
+                (weights, nets) = (Some(model.digest), Some(model.nets));
+                agent
+            }
         };
         if self.memory.is_some() {
             agent.check_remembers()?;

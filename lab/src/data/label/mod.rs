@@ -9,8 +9,10 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
+use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::{DynamicsCard, LearnedFrom, PathNet};
+use pathlight::command_line::weights_file::ModelFile;
+use pathlight::nets::LearnedFrom;
 use pathlight::puzzle::task::TaskId;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator;
@@ -23,7 +25,6 @@ use crate::data::task_selection::TaskSelection;
 use crate::data::unlisted_tasks::unlisted_tasks;
 use crate::files::digest;
 use crate::files::journal::Journal;
-use crate::files::weights_file::load_nets_of_any_fold;
 use crate::progress::Progress;
 use labeller::{KnownSolutions, Labeller};
 pub use lines::{LabelSettings, Labelled, read_labels};
@@ -112,9 +113,9 @@ impl Settings {
             }
             Scenes::Random(count) => (0..count).map(SceneId::Random).collect(),
         };
-        let proposing = self.weights.as_deref().map(|path| self.proposing_nets(path)).transpose()?;
-        let (nets, card) = proposing.unzip();
-        let with_solutions = self.scenes == Scenes::Tasks && nets.is_none();
+        let proposing = self.weights.as_deref().map(|path| self.proposing_model(path)).transpose()?;
+        let with_solutions = self.scenes == Scenes::Tasks && proposing.is_none();
+        let card = proposing.as_ref().and_then(|model| model.card.dynamics.as_ref());
         let settings = LabelSettings {
             seed: self.seed,
             tasks: NonZeroUsize::new(scenes.len())
@@ -123,14 +124,15 @@ impl Settings {
             limit: self.selection.limit,
             simulator: simulator::VERSION,
             solutions: with_solutions.then(|| digest(&self.solutions)).transpose()?,
-            weights: self.weights.as_deref().map(digest).transpose()?,
-            net_without_dev: card.as_ref().is_some_and(|card| card.without_dev),
+            weights: proposing.as_ref().map(|model| model.digest.clone()),
+            net_without_dev: card.is_some_and(|card| card.without_dev),
             net_learned_from: card.map(|card| card.learned_from),
             scene_fields: self.scenes.into(),
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
-        let solutions = if with_solutions { read_solutions(&self.solutions)?.solutions } else { Vec::new() };
+        let solutions = if with_solutions { read_solutions(&self.solutions)? } else { Vec::new() };
         let solutions = solutions.into_iter().filter(|one| allows(one.task));
+        let nets = proposing.map(|model| model.nets);
         let labeller = Labeller { settings: self, nets, known: KnownSolutions::new(solutions) };
         let total = self.rounds * scenes.len();
         let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings, progress)?;
@@ -167,29 +169,26 @@ impl Settings {
         Ok(())
     }
 
-    /// Loads nets that include a dynamics net that may propose balls in the scenes, and the card of that net.
-    fn proposing_nets(&self, path: &Path) -> anyhow::Result<(PathNet, DynamicsCard)> {
+    /// Reads the weights whose dynamics net proposes balls, if it may do so in the scenes.
+    fn proposing_model(&self, path: &Path) -> anyhow::Result<ModelFile> {
         let name = path.display();
-        let (nets, card) = load_nets_of_any_fold(path)?;
-        let trained_on = card.fold_id();
-        let card = card
-            .dynamics
-            .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
+        let model = ModelFile::read(Some(path), FoldId::default())?;
+        AgentName::Dynamics.check(&model.nets).with_context(|| format!("cannot use {name}"))?;
+        let learned_from = model.card.dynamics.as_ref().map(|card| card.learned_from);
         match (self.scenes, self.training_tasks_of) {
             // A net trained on random scenes alone must not learn about tasks through the balls proposed there.
             (Scenes::Random(_), _) => ensure!(
-                card.learned_from == LearnedFrom::RandomScenes,
+                learned_from == Some(LearnedFrom::RandomScenes),
                 "{name} has learned from tasks: for balls in random scenes, name weights that were trained on random \
                  scenes alone"
             ),
             (_, None) => ensure!(
-                card.learned_from != LearnedFrom::Tasks,
+                learned_from != Some(LearnedFrom::Tasks),
                 "{name} has learned from tasks: name its fold with --setup and --fold, to label balls of its training \
                  tasks"
             ),
-            (_, Some(fold)) if card.learned_from.serves_all_folds(fold.setup) => {}
-            (_, Some(fold)) => trained_on.check(fold).with_context(|| format!("cannot use {name}"))?,
+            (_, Some(fold)) => model.check(AgentName::Dynamics, fold)?,
         }
-        Ok((nets, card))
+        Ok(model)
     }
 }
