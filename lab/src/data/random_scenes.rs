@@ -23,9 +23,6 @@ const APART: f64 = 8.0;
 /// Probability that the goal may lie above the object; hardly any ball can lift the object.
 const LIFTED: f64 = 0.2;
 
-/// Probability that a dynamic body starts above the middle of another body, to rest on it or in it.
-const STACKED: f64 = 0.4;
-
 /// Positions tried for a dynamic body.
 const PLACES: usize = 30;
 
@@ -84,7 +81,7 @@ fn bar_angle(rng: &mut Pcg64Mcg) -> f64 {
 fn static_bodies(rng: &mut Pcg64Mcg) -> Vec<Body> {
     let anywhere = |rng: &mut Pcg64Mcg| [(); 2].map(|()| rng.random_range(0.0..SIZE));
     let at = |dimensions, [x, y]: [f64; 2], angle| Body { x, y, angle, ..body(dimensions, false) };
-    match rng.random_range(0..14) {
+    match rng.random_range(0..13) {
         0..5 => vec![at(bar(20.0..180.0, rng), anywhere(rng), bar_angle(rng))],
         5 => vec![at(Dimensions::Bar { length: SIZE, thickness: THICKNESS }, [SIZE / 2.0, THICKNESS / 2.0], 0.0)],
         6 | 7 => {
@@ -115,15 +112,6 @@ fn static_bodies(rng: &mut Pcg64Mcg) -> Vec<Body> {
             (0..rng.random_range(2..6)).map(|index| at(slat, place(index), angle)).collect()
         }
         11 => vec![at(ball(6.0..30.0, rng), anywhere(rng), 0.0)],
-        12 => {
-            // Two level bars at one height, with a gap between them.
-            let ([x, y], half_gap) = (anywhere(rng), rng.random_range(6.0..30.0));
-            let beside = |side: f64| {
-                let length = rng.random_range(20.0..180.0);
-                at(Dimensions::Bar { length, thickness: THICKNESS }, [x + side * (half_gap + length / 2.0), y], 0.0)
-            };
-            [-1.0, 1.0].map(beside).to_vec()
-        }
         _ => vec![at(Dimensions::Jar { height: rng.random_range(25.0..80.0) }, anywhere(rng), 0.0)],
     }
 }
@@ -144,20 +132,14 @@ fn dynamic_body(others: &[Body], rng: &mut Pcg64Mcg) -> Option<Body> {
         let inside = left >= CLEARANCE && bottom >= CLEARANCE && right <= SIZE - CLEARANCE && top <= SIZE - CLEARANCE;
         inside && others.iter().all(|other| distance(body, other) >= CLEARANCE)
     };
-    let below = others.choose(rng).filter(|below| below.bounds()[3] < SIZE && rng.random_bool(STACKED));
     let found = (0..PLACES).any(|_| {
         (body.x, body.y) = (rng.random_range(0.0..SIZE), rng.random_range(0.0..SIZE));
-        if let Some(below) = below {
-            let [left, _, right, top] = below.bounds();
-            body.x = (left + right) / 2.0 + (right - left) * rng.random_range(-0.25..0.25);
-            body.y = rng.random_range(top..SIZE);
-        }
         clear(&body)
     });
     if !found {
         return None;
     }
-    if below.is_some() || rng.random_bool(0.7) {
+    if rng.random_bool(0.7) {
         while clear(&body) {
             body.y -= FALL;
         }
