@@ -123,7 +123,7 @@ fn bytes(values: impl IntoIterator<Item = f32>) -> Vec<u8> {
 
 /// Batches of solutions, each from all templates.
 fn batches() -> Vec<Vec<Sample>> {
-    let solutions = read_solutions(Path::new(SOLUTIONS)).expect("the solutions are in assets").solutions;
+    let solutions = read_solutions(Path::new(SOLUTIONS)).expect("the solutions are in assets");
     let chosen = |number: usize| solutions.iter().skip(number).step_by(solutions.len() / BATCH).take(BATCH);
     let sample = |&Solution { task, ball }: &Solution| {
         sample(&Task::load(task).expect("a task").scene, ball).expect("a valid ball")
