@@ -79,7 +79,8 @@ fn without_a_linker() {
 #[test]
 fn without_node() {
     let machine = rust(Machine::bare()).with("cc", "");
-    machine.assert_stops("Node.js is missing: install version 20.16, or 22.3 or later (https://nodejs.org)");
+    machine
+        .assert_stops("Node.js is missing: install version 20.16 or later 20.x, or 22.3 or later (https://nodejs.org)");
 }
 
 #[test]

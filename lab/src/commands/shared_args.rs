@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use clap::builder::{RangedU64ValueParser, TypedValueParser};
 use pathlight::nets::{Optimiser, PathWeights};
-use pathlight_lab::training::settings::{LabelsRecipe, RunSettings};
+use pathlight_lab::training::settings::{BATCH, LEARNING_RATE, LabelsRecipe, RunSettings};
 
 pub fn at_least_one() -> impl TypedValueParser<Value = u16> {
     clap::value_parser!(u16).range(1..)
@@ -30,11 +30,11 @@ pub struct RunArgs {
     out: Option<PathBuf>,
 
     /// Samples per batch for the four nets, scenes per batch for the other nets
-    #[arg(long, default_value_t = LabelsRecipe::default().batch, value_parser = at_least_one())]
+    #[arg(long, default_value_t = BATCH, value_parser = at_least_one())]
     pub batch: u16,
 
     /// Peak learning rate
-    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate, value_parser = positive)]
+    #[arg(long, default_value_t = LEARNING_RATE, value_parser = positive)]
     pub learning_rate: f64,
 
     /// Batches between checkpoints, and between lines of losses.csv

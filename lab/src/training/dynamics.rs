@@ -15,7 +15,7 @@ use pathlight::nets::{DynamicsCard, DynamicsNet, LearnedFrom, Optimiser, PathWei
 use pathlight::raster::scene_coverage;
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
-use super::settings::RunSettings;
+use super::settings::{BATCH, LEARNING_RATE, RunSettings};
 use super::training_run::{Inputs, TrainingRun};
 use crate::data::label::LABELS;
 use crate::progress::Progress;
@@ -56,9 +56,9 @@ pub struct DynamicsRecipe {
 impl Default for DynamicsRecipe {
     fn default() -> DynamicsRecipe {
         DynamicsRecipe {
-            batch: 32,
+            batch: BATCH,
             optimiser: Optimiser::default(),
-            learning_rate: 3e-3,
+            learning_rate: LEARNING_RATE,
             balls_per_scene: 256,
             imagined_per_scene: 96,
             path_weights: PathWeights::default(),

@@ -25,6 +25,11 @@ impl Default for RunSettings {
     }
 }
 
+/// Default number of samples or scenes per batch.
+pub const BATCH: u16 = 32;
+/// Default peak learning rate.
+pub const LEARNING_RATE: f64 = 3e-3;
+
 /// How the four nets are trained.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathsRecipe {
@@ -42,7 +47,7 @@ pub struct PathsRecipe {
 
 impl Default for PathsRecipe {
     fn default() -> PathsRecipe {
-        PathsRecipe { batch: 32, learning_rate: 3e-3, decay_epochs: 1, mirror: false, without_dev: false }
+        PathsRecipe { batch: BATCH, learning_rate: LEARNING_RATE, decay_epochs: 1, mirror: false, without_dev: false }
     }
 }
 
@@ -60,6 +65,6 @@ pub struct LabelsRecipe {
 
 impl Default for LabelsRecipe {
     fn default() -> LabelsRecipe {
-        LabelsRecipe { batch: 32, optimiser: Optimiser::Adam, learning_rate: 3e-3, balls_per_scene: 256 }
+        LabelsRecipe { batch: BATCH, optimiser: Optimiser::Adam, learning_rate: LEARNING_RATE, balls_per_scene: 256 }
     }
 }
