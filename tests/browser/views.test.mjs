@@ -51,6 +51,7 @@ test("on a small phone a button far below the scene brings it back into sight", 
 
 test("in a low window what plays a run again stays under the scene", async () => {
   const page = await openPuzzle(session, `#task=${EASY}`, { ...STILL, viewport: { width: 900, height: 560 } });
+  await modelIsThere(page);
   await place(page, balls.missing[0]);
   await drop(page);
   const right = async (part) => part.boundingBox().then(({ x, width }) => x + width);
