@@ -171,6 +171,12 @@ fn labels_of_a_fold_use_its_training_tasks_and_their_solutions_only() {
         all.iter().filter(|labels| fold.test.binary_search(&task_of(labels)).is_err()).collect();
     assert_eq!(of_fold.iter().collect::<Vec<_>>(), same, "solutions of test tasks were used");
     assert_refused(&["data", "label", "--out", &file("fold")], "choose another file, or remove this one");
+    let text = fs::read_to_string(file("fold")).expect("labels");
+    let mut other = of_fold[0].clone();
+    std::mem::swap(&mut other.solved, &mut other.failed);
+    let other = text.replace(text.lines().nth(1).expect("a line"), &serde_json::to_string(&other).expect("JSON"));
+    fs::write(file("other"), other).expect("a file");
+    assert_refused(&["train", "success", "--labels", &file("other")], "has other outcomes than this program finds");
     assert_refused(&["data", "label", "--fold", "0", "--out", &file("half")], "--setup");
 }
 
